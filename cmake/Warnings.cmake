@@ -1,0 +1,7 @@
+# Warnings for our own targets only; never part of what an embedder inherits.
+# -Wno-missing-field-initializers: Vulkan structs begin with their sType alone.
+# -Wno-restrict: GCC 12 warns of std::string's own operator+ when optimising (its bug 105651).
+add_library(lobelia_warnings INTERFACE)
+target_compile_options(lobelia_warnings INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -Wno-missing-field-initializers
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <lobelia/host/image.h>
+#include <lobelia/host/outcome.h>
+
+namespace lobelia::host {
+
+/// One part of an OpenEXR file. `name` may be empty when there is only one part.
+struct Part {
+    std::string name;
+    const Image* image = nullptr;
+};
+
+/// Text kept in the file's header as string attributes: name and value.
+using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+enum class Content {
+    picture,     // channels R G B A, the first layer
+    environment, // channels R G B, with the `envmap` attribute; a cube becomes OpenEXR's cube layout
+};
+
+/// Writes 32-bit float OpenEXR, ZIP-compressed. The file at `path` stays as it was until the new one
+/// is complete, checked by reading it back, and on disk; then it is replaced in one step. No file is
+/// left behind on failure.
+Outcome<Done> write_exr(const std::string& path, std::span<const Part> parts, Content content,
+                        const Metadata& metadata = {});
+
+/// Writes an 8-bit sRGB PNG of a picture: scaled by 2^exposure, tone-mapped (Khronos PBR Neutral),
+/// alpha as it is (the colour divided by it first where it is not 0, since PNG is not premultiplied).
+/// Replaces `path` in one step, as write_exr does.
+Outcome<Done> write_png(const std::string& path, const Image& picture, float exposure);
+
+} // namespace lobelia::host

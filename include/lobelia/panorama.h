@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+
+#include <lobelia/device.h>
+#include <lobelia/image.h>
+#include <lobelia/result.h>
+
+namespace lobelia {
+
+/// A panorama bound to the cube map it is resampled into. Made by PanoramaToCube::bind; independent
+/// of the object it came from, which may go first.
+class PanoramaToCubeJob {
+public:
+    struct State;
+    explicit PanoramaToCubeJob(std::unique_ptr<State> state) noexcept;
+    PanoramaToCubeJob(PanoramaToCubeJob&&) noexcept;
+    PanoramaToCubeJob& operator=(PanoramaToCubeJob&&) noexcept;
+    ~PanoramaToCubeJob();
+
+    /// Records the resampling into level 0 of the target. Never allocates, submits or waits.
+    ///
+    /// On entry the panorama is in SHADER_READ_ONLY_OPTIMAL, visible to compute shaders; the
+    /// target's content (all levels) is discarded. On exit level 0 of the target holds the result
+    /// and all its levels are in SHADER_READ_ONLY_OPTIMAL, visible to fragment and compute shaders.
+    /// Costs a few operations for each pair of panorama texel and cube texel that overlap.
+    void record(VkCommandBuffer commands) const noexcept;
+
+private:
+    std::unique_ptr<State> state_;
+};
+
+/// Area-true resampling: each cube texel becomes the panorama integrated over the texel's solid
+/// angle, divided by it. No light appears or is lost, however small its source: the two maps' means
+/// over the sphere agree to about 1e-5, and a constant panorama stays that constant.
+class PanoramaToCube {
+public:
+    /// Compiles the pipeline. Fails where Vulkan does.
+    static Result<PanoramaToCube> create(const Device& device);
+    PanoramaToCube(PanoramaToCube&&) noexcept;
+    PanoramaToCube& operator=(PanoramaToCube&&) noexcept;
+    ~PanoramaToCube();
+
+    /// Makes views and descriptors. `source` needs SAMPLED usage and width, height in [1, 32768];
+    /// `target` needs STORAGE usage, format R32G32B32A32_SFLOAT. `tables` is a buffer of
+    /// tables_size() bytes with STORAGE_BUFFER and TRANSFER_DST usage that record() fills. All must
+    /// outlive the job's last use on the device.
+    Result<PanoramaToCubeJob> bind(const Panorama& source, const CubeMap& target,
+                                   VkBuffer tables) const;
+
+    /// Bytes of the buffer that bind() needs.
+    static VkDeviceSize tables_size(const Panorama& source) noexcept;
+
+private:
+    struct State;
+    explicit PanoramaToCube(std::shared_ptr<State> state) noexcept;
+    std::shared_ptr<State> state_;
+};
+
+} // namespace lobelia

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <lobelia/device.h>
+
+#include "vk/unique.h"
+
+// The Vulkan functions of lobelia::host beyond those of the core, each once.
+#define LOBELIA_HOST_INSTANCE_FUNCTIONS(X)                                                         \
+    X(vkCreateDevice)                                                                              \
+    X(vkDestroyInstance)                                                                           \
+    X(vkEnumerateDeviceExtensionProperties)                                                        \
+    X(vkEnumeratePhysicalDevices)                                                                  \
+    X(vkGetDeviceProcAddr)                                                                         \
+    X(vkGetPhysicalDeviceMemoryProperties)                                                         \
+    X(vkGetPhysicalDeviceProperties2)                                                              \
+    X(vkGetPhysicalDeviceQueueFamilyProperties)
+
+#define LOBELIA_HOST_DEVICE_FUNCTIONS(X)                                                           \
+    X(vkAllocateCommandBuffers)                                                                    \
+    X(vkAllocateMemory)                                                                            \
+    X(vkBeginCommandBuffer)                                                                        \
+    X(vkBindBufferMemory)                                                                          \
+    X(vkBindImageMemory)                                                                           \
+    X(vkCmdCopyBufferToImage)                                                                      \
+    X(vkCmdCopyImageToBuffer)                                                                      \
+    X(vkCmdPipelineBarrier)                                                                        \
+    X(vkCreateBuffer)                                                                              \
+    X(vkCreateCommandPool)                                                                         \
+    X(vkCreateFence)                                                                               \
+    X(vkCreateImage)                                                                               \
+    X(vkCreateImageView)                                                                           \
+    X(vkDestroyBuffer)                                                                             \
+    X(vkDestroyCommandPool)                                                                        \
+    X(vkDestroyDevice)                                                                             \
+    X(vkDestroyFence)                                                                              \
+    X(vkDestroyImage)                                                                              \
+    X(vkDestroyImageView)                                                                          \
+    X(vkDeviceWaitIdle)                                                                            \
+    X(vkEndCommandBuffer)                                                                          \
+    X(vkFreeMemory)                                                                                \
+    X(vkGetBufferMemoryRequirements)                                                               \
+    X(vkGetDeviceQueue)                                                                            \
+    X(vkGetImageMemoryRequirements)                                                                \
+    X(vkMapMemory)                                                                                 \
+    X(vkQueueSubmit)                                                                               \
+    X(vkResetCommandPool)                                                                          \
+    X(vkResetFences)                                                                               \
+    X(vkWaitForFences)
+
+namespace lobelia::host {
+
+#define X(name) PFN_##name name = nullptr;
+struct InstanceFunctions {
+    LOBELIA_HOST_INSTANCE_FUNCTIONS(X)
+};
+struct DeviceFunctions {
+    LOBELIA_HOST_DEVICE_FUNCTIONS(X)
+};
+#undef X
+
+/// The device with its functions; stays where it is while objects made from it live.
+struct HostContext {
+    Device device;
+    DeviceFunctions call;
+};
+
+template <class Handle, auto destroy>
+using HostObject = vk::Unique<HostContext, Handle, destroy>;
+using DeviceMemory = HostObject<VkDeviceMemory, &DeviceFunctions::vkFreeMemory>;
+
+} // namespace lobelia::host

@@ -1,0 +1,157 @@
+#include "host/gpu_instance.h"
+
+#include <cstring>
+
+#include <vulkan/vulkan.h>
+
+namespace lobelia::host {
+
+namespace {
+
+std::string result_name(VkResult code) {
+    switch (code) {
+    case VK_ERROR_OUT_OF_HOST_MEMORY: return "out of host memory";
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY: return "out of device memory";
+    case VK_ERROR_INITIALIZATION_FAILED: return "initialisation failed";
+    case VK_ERROR_DEVICE_LOST: return "device lost";
+    case VK_ERROR_MEMORY_MAP_FAILED: return "mapping memory failed";
+    case VK_ERROR_LAYER_NOT_PRESENT: return "layer not present";
+    case VK_ERROR_EXTENSION_NOT_PRESENT: return "extension not present";
+    case VK_ERROR_FEATURE_NOT_PRESENT: return "feature not present";
+    case VK_ERROR_INCOMPATIBLE_DRIVER: return "no compatible driver";
+    case VK_ERROR_FORMAT_NOT_SUPPORTED: return "format not supported";
+    case VK_ERROR_VALIDATION_FAILED_EXT: return "not allowed";
+    case VK_TIMEOUT: return "timeout";
+    default: return "VkResult " + std::to_string(int(code));
+    }
+}
+
+} // namespace
+
+Failure failed(const std::string& step, VkResult code) {
+    return Failure{"Vulkan could not " + step + " (" + result_name(code) + ")"};
+}
+
+namespace {
+
+constexpr const char* VALIDATION_LAYER = "VK_LAYER_KHRONOS_validation";
+
+VKAPI_ATTR VkBool32 VKAPI_CALL keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                            VkDebugUtilsMessageTypeFlagsEXT,
+                                            const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                            void* messages) {
+    // The loader reports which layers it loads through the same channel.
+    if (data->pMessageIdName && std::strcmp(data->pMessageIdName, "Loader Message") == 0)
+        return VK_FALSE;
+    static_cast<std::vector<std::string>*>(messages)->push_back(data->pMessage);
+    return VK_FALSE;
+}
+
+const char* type_name(VkPhysicalDeviceType type) {
+    switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return "discrete";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return "integrated";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return "virtual";
+    case VK_PHYSICAL_DEVICE_TYPE_CPU: return "cpu";
+    default: return "other";
+    }
+}
+
+} // namespace
+
+Outcome<std::unique_ptr<Instance>> Instance::create(const GpuOptions& options) {
+    auto instance = std::make_unique<Instance>();
+    if (const auto started = instance->start(options); !started) return started.error();
+    return instance;
+}
+
+Outcome<Done> Instance::start(const GpuOptions& options) {
+    get_instance_proc_addr = options.get_instance_proc_addr ? options.get_instance_proc_addr
+                                                            : &::vkGetInstanceProcAddr;
+    const auto create = reinterpret_cast<PFN_vkCreateInstance>(
+        get_instance_proc_addr(VK_NULL_HANDLE, "vkCreateInstance"));
+    if (!create) return Failure{"the Vulkan loader has no vkCreateInstance, install a newer one"};
+
+    const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
+                                        .pApplicationName = "lobelia",
+                                        .apiVersion = VK_API_VERSION_1_1};
+    const VkValidationFeatureEnableEXT synchronisation =
+        VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+    const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
+                                           .enabledValidationFeatureCount = 1,
+                                           .pEnabledValidationFeatures = &synchronisation};
+    const char* const extensions[] = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME};
+    VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+                              .pApplicationInfo = &application};
+    if (options.validation) {
+        info.pNext = &features;
+        info.enabledLayerCount = 1;
+        info.ppEnabledLayerNames = &VALIDATION_LAYER;
+        info.enabledExtensionCount = 1;
+        info.ppEnabledExtensionNames = extensions;
+    }
+    VkInstance created = VK_NULL_HANDLE;
+    if (const VkResult code = create(&info, nullptr, &created); code != VK_SUCCESS)
+        return failed("create an instance", code);
+    handle = created;
+
+#define X(name)                                                                                    \
+    call.name = reinterpret_cast<PFN_##name>(get_instance_proc_addr(handle, #name));               \
+    if (!call.name) return Failure{"the Vulkan loader has no " #name ", install a newer one"};
+    LOBELIA_HOST_INSTANCE_FUNCTIONS(X)
+#undef X
+    if (options.validation)
+        if (const auto listening = listen(); !listening) return listening.error();
+
+    std::uint32_t count = 0;
+    VkResult code = call.vkEnumeratePhysicalDevices(handle, &count, nullptr);
+    if (code == VK_SUCCESS && count > 0) {
+        physical_devices.resize(count);
+        code = call.vkEnumeratePhysicalDevices(handle, &count, physical_devices.data());
+        physical_devices.resize(count);
+    }
+    if (code != VK_SUCCESS) return failed("list the devices", code);
+    if (physical_devices.empty())
+        return Failure{"no Vulkan device found, install a driver (mesa-vulkan-drivers has one "
+                       "that needs no GPU)"};
+    return Done{};
+}
+
+Outcome<Done> Instance::listen() {
+    const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+        get_instance_proc_addr(handle, "vkCreateDebugUtilsMessengerEXT"));
+    const VkDebugUtilsMessengerCreateInfoEXT info{
+        .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
+        .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
+                           VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
+        .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT |
+                       VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
+                       VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT,
+        .pfnUserCallback = keep_message,
+        .pUserData = &messages};
+    const VkResult code = create(handle, &info, nullptr, &messenger_);
+    if (code != VK_SUCCESS) return failed("listen to validation", code);
+    return Done{};
+}
+
+Instance::~Instance() {
+    if (messenger_)
+        reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(get_instance_proc_addr(
+            handle, "vkDestroyDebugUtilsMessengerEXT"))(handle, messenger_, nullptr);
+    if (handle)
+        reinterpret_cast<PFN_vkDestroyInstance>(
+            get_instance_proc_addr(handle, "vkDestroyInstance"))(handle, nullptr);
+}
+
+GpuDescription describe(const Instance& instance, VkPhysicalDevice device) {
+    VkPhysicalDeviceDriverProperties driver{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+    VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
+                                           .pNext = &driver};
+    instance.call.vkGetPhysicalDeviceProperties2(device, &properties);
+    return {properties.properties.deviceName,
+            std::string(driver.driverName) + " " + driver.driverInfo,
+            type_name(properties.properties.deviceType), properties.properties.apiVersion};
+}
+
+} // namespace lobelia::host

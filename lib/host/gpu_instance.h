@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <lobelia/host/gpu.h>
+
+#include "host/gpu_functions.h"
+
+namespace lobelia::host {
+
+/// A Vulkan instance with its physical devices, and the validation messages that it has collected.
+class Instance {
+public:
+    static Outcome<std::unique_ptr<Instance>> create(const GpuOptions& options);
+    Instance() = default;
+    Instance(const Instance&) = delete;
+    Instance& operator=(const Instance&) = delete;
+    ~Instance();
+
+    VkInstance handle = VK_NULL_HANDLE;
+    PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
+    InstanceFunctions call;
+    std::vector<VkPhysicalDevice> physical_devices;
+    std::vector<std::string> messages;
+
+private:
+    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    Outcome<Done> start(const GpuOptions& options);
+    Outcome<Done> listen();
+};
+
+GpuDescription describe(const Instance& instance, VkPhysicalDevice device);
+
+/// The failure of a Vulkan call: what could not be done ("create a fence") and what Vulkan answered.
+Failure failed(const std::string& step, VkResult code);
+
+} // namespace lobelia::host

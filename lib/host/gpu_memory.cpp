@@ -1,0 +1,169 @@
+#include "host/gpu_memory.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include <Imath/half.h>
+
+#include "host/gpu_instance.h"
+
+namespace lobelia::host {
+
+struct GpuBuffer::Parts {
+    DeviceMemory memory; // outlives the buffer bound to it
+    HostObject<VkBuffer, &DeviceFunctions::vkDestroyBuffer> buffer;
+    VkDeviceSize size = 0;
+    std::byte* data = nullptr;
+};
+
+GpuBuffer::GpuBuffer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+GpuBuffer::GpuBuffer(GpuBuffer&&) noexcept = default;
+GpuBuffer& GpuBuffer::operator=(GpuBuffer&&) noexcept = default;
+GpuBuffer::~GpuBuffer() = default;
+VkBuffer GpuBuffer::handle() const { return parts_->buffer.get(); }
+VkDeviceSize GpuBuffer::size() const { return parts_->size; }
+std::byte* GpuBuffer::data() const { return parts_->data; }
+
+struct GpuImage::Parts {
+    GpuImageDescription description;
+    DeviceMemory memory;
+    HostObject<VkImage, &DeviceFunctions::vkDestroyImage> image;
+    HostObject<VkImageView, &DeviceFunctions::vkDestroyImageView> view;
+};
+
+GpuImage::GpuImage(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+GpuImage::GpuImage(GpuImage&&) noexcept = default;
+GpuImage& GpuImage::operator=(GpuImage&&) noexcept = default;
+GpuImage::~GpuImage() = default;
+VkImage GpuImage::handle() const { return parts_->image.get(); }
+VkImageView GpuImage::view() const { return parts_->view.get(); }
+const GpuImageDescription& GpuImage::description() const { return parts_->description; }
+
+namespace {
+
+Outcome<DeviceMemory> allocate(const HostContext& context,
+                               const VkPhysicalDeviceMemoryProperties& memory_types,
+                               const VkMemoryRequirements& requirements,
+                               VkMemoryPropertyFlags wanted) {
+    for (std::uint32_t type = 0; type < memory_types.memoryTypeCount; ++type) {
+        const bool allowed = requirements.memoryTypeBits >> type & 1;
+        if (!allowed || (memory_types.memoryTypes[type].propertyFlags & wanted) != wanted) continue;
+        const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                        .allocationSize = requirements.size,
+                                        .memoryTypeIndex = type};
+        VkDeviceMemory memory = VK_NULL_HANDLE;
+        const VkResult code =
+            context.call.vkAllocateMemory(context.device.handle, &info, nullptr, &memory);
+        if (code != VK_SUCCESS)
+            return failed("allocate " + std::to_string(requirements.size) + " bytes", code);
+        return DeviceMemory(context, memory);
+    }
+    return Failure{"the device has no memory of the kind needed, pick another device"};
+}
+
+} // namespace
+
+Outcome<GpuBuffer> make_buffer(const HostContext& context,
+                               const VkPhysicalDeviceMemoryProperties& memory_types,
+                               VkDeviceSize bytes, VkBufferUsageFlags usage, Memory memory) {
+    const VkDevice device = context.device.handle;
+    auto parts = std::make_unique<GpuBuffer::Parts>();
+    parts->size = bytes;
+    const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                  .size = std::max<VkDeviceSize>(bytes, 1),
+                                  .usage = usage};
+    VkBuffer handle = VK_NULL_HANDLE;
+    VkResult code = context.call.vkCreateBuffer(device, &info, nullptr, &handle);
+    if (code != VK_SUCCESS) return failed("create a buffer", code);
+    parts->buffer = {context, handle};
+
+    VkMemoryRequirements requirements;
+    context.call.vkGetBufferMemoryRequirements(device, handle, &requirements);
+    const bool mapped = memory == Memory::host;
+    auto allocated = allocate(context, memory_types, requirements,
+                              mapped ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
+                                           VK_MEMORY_PROPERTY_HOST_COHERENT_BIT
+                                     : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    if (!allocated) return allocated.error();
+    code = context.call.vkBindBufferMemory(device, handle, allocated->get(), 0);
+    if (code != VK_SUCCESS) return failed("bind a buffer's memory", code);
+    if (mapped) {
+        void* data = nullptr;
+        code = context.call.vkMapMemory(device, allocated->get(), 0, VK_WHOLE_SIZE, 0, &data);
+        if (code != VK_SUCCESS) return failed("map a buffer", code);
+        parts->data = static_cast<std::byte*>(data);
+    }
+    parts->memory = std::move(*allocated);
+    return GpuBuffer(std::move(parts));
+}
+
+Outcome<GpuImage> make_image(const HostContext& context,
+                             const VkPhysicalDeviceMemoryProperties& memory_types,
+                             const VkPhysicalDeviceLimits& limits,
+                             const GpuImageDescription& description) {
+    const VkDevice device = context.device.handle;
+    const std::uint32_t largest =
+        description.cube ? limits.maxImageDimensionCube : limits.maxImageDimension2D;
+    if (std::max(description.width, description.height) > largest)
+        return Failure{"an image of " + std::to_string(description.width) + " x " +
+                       std::to_string(description.height) + " texels is larger than the device's " +
+                       std::to_string(largest) + ", use a smaller one"};
+
+    auto parts = std::make_unique<GpuImage::Parts>();
+    parts->description = description;
+    const VkImageCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+        .flags = description.cube ? VkImageCreateFlags(VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT) : 0,
+        .imageType = VK_IMAGE_TYPE_2D,
+        .format = description.format,
+        .extent = {description.width, description.height, 1},
+        .mipLevels = description.levels,
+        .arrayLayers = description.layers,
+        .samples = VK_SAMPLE_COUNT_1_BIT,
+        .usage = description.usage};
+    VkImage handle = VK_NULL_HANDLE;
+    VkResult code = context.call.vkCreateImage(device, &info, nullptr, &handle);
+    if (code != VK_SUCCESS) return failed("create an image", code);
+    parts->image = {context, handle};
+
+    VkMemoryRequirements requirements;
+    context.call.vkGetImageMemoryRequirements(device, handle, &requirements);
+    auto allocated =
+        allocate(context, memory_types, requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    if (!allocated) return allocated.error();
+    code = context.call.vkBindImageMemory(device, handle, allocated->get(), 0);
+    if (code != VK_SUCCESS) return failed("bind an image's memory", code);
+    parts->memory = std::move(*allocated);
+
+    const VkImageViewCreateInfo view_info{
+        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+        .image = handle,
+        .viewType = description.cube         ? VK_IMAGE_VIEW_TYPE_CUBE
+                    : description.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
+                                             : VK_IMAGE_VIEW_TYPE_2D,
+        .format = description.format,
+        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0,
+                             VK_REMAINING_ARRAY_LAYERS}};
+    VkImageView view = VK_NULL_HANDLE;
+    code = context.call.vkCreateImageView(device, &view_info, nullptr, &view);
+    if (code != VK_SUCCESS) return failed("create an image view", code);
+    parts->view = {context, view};
+    return GpuImage(std::move(parts));
+}
+
+VkBufferImageCopy whole_level(const GpuImage& image, std::uint32_t level) {
+    const GpuImageDescription& shape = image.description();
+    return {.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, shape.layers},
+            .imageExtent = {std::max(shape.width >> level, 1u), std::max(shape.height >> level, 1u),
+                            1}};
+}
+
+void widen_halves(const std::byte* halves, std::span<float> floats) {
+    for (std::size_t i = 0; i < floats.size(); ++i) {
+        half value;
+        std::memcpy(&value, halves + i * sizeof value, sizeof value);
+        floats[i] = value;
+    }
+}
+
+} // namespace lobelia::host
