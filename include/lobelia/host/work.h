@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <lobelia/host/gpu.h>
+#include <lobelia/host/outcome.h>
+#include <lobelia/host/read.h>
+#include <lobelia/sphere.h>
+
+namespace lobelia::host {
+
+/// Told now and then while work goes on, `done` in [0, 1]. Answer false to cancel: the work then
+/// fails with the message "cancelled".
+using Progress = std::function<bool(double done)>;
+
+/// One pass as it was run. `invocations` of the shader; bytes count each texel once a pass (its
+/// footprint), never fetches. Times are absent where they were not or cannot be measured.
+struct PassReport {
+    std::string name;
+    std::uint64_t invocations = 0;
+    std::uint64_t bytes_read = 0;
+    std::uint64_t bytes_written = 0;
+    std::optional<double> cpu_ms; // process CPU time
+    std::optional<double> gpu_ms; // device timestamps
+};
+
+/// One image that the work made.
+struct ImageReport {
+    std::string name;
+    std::uint32_t width = 0, height = 0, layers = 0, levels = 0;
+    std::string format;
+    std::uint64_t bytes = 0;
+    std::string lifetime; // "kept" or "scratch"
+};
+
+struct WorkReport {
+    std::vector<PassReport> passes;
+    std::vector<ImageReport> images;
+};
+
+/// An environment on the device: the panorama as it was read, if it was one, and the cube map made
+/// of it. Both in SHADER_READ_ONLY_OPTIMAL.
+struct GpuEnvironment {
+    std::optional<GpuImage> panorama;
+    GpuImage cube; // R32G32B32A32_SFLOAT, one level
+    WorkReport report;
+};
+
+/// Uploads `image` and makes the cube map: `face` texels, or the next power of two >= width / 4
+/// where `face` is 0.
+Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face = 0);
+
+/// The built-in environment, made on the device from formulas: a clear sky, a ground, soft boxes and
+/// a small bright sun, 1024 x 512.
+Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face = 0);
+
+struct RenderSettings {
+    SphereView view;
+    SphereMethod method = SphereMethod::split_sum;
+};
+
+struct Rendering {
+    Image picture; // R G B A, colour premultiplied by the coverage A where there is no background
+    WorkReport report;
+};
+
+/// Shades the sphere offscreen. Refuses materials, cameras and sizes that are not valid with a
+/// message that names the value.
+Outcome<Rendering> render(Gpu& gpu, const GpuEnvironment& environment,
+                          const RenderSettings& settings, const Progress& progress = {});
+
+/// Why a material is refused, or nothing. `allow_energy_gain` lets kd + ks exceed 1.
+std::optional<Failure> check_material(const Material& material, bool allow_energy_gain);
+
+enum class PrefilterMethod { exact };
+
+struct PrefilterSettings {
+    PrefilterMethod method = PrefilterMethod::exact;
+    std::vector<float> exponents; // one map each; 1 is the Lambert lobe
+    Layout layout = Layout::cube;
+    std::uint32_t width = 0; // edge of a cube's face, or width of the panorama; 0: what the lobe needs
+    std::uint32_t height = 0; // of the panorama; 0: half its width
+};
+
+struct Prefiltering {
+    std::vector<Image> maps; // one for each exponent
+    WorkReport report;
+};
+
+/// Averages the environment over Phong lobes: P_n of the README for each exponent.
+Outcome<Prefiltering> prefilter(Gpu& gpu, const GpuEnvironment& environment,
+                                const PrefilterSettings& settings, const Progress& progress = {});
+
+} // namespace lobelia::host
