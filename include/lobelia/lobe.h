@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -7,17 +8,24 @@ namespace lobelia {
 
 using std::exp2;
 using std::log2;
+using std::max;
+using std::min;
 using std::sqrt;
 using uint = std::uint32_t;
 
 #define SHARED inline
-#include "lobelia/lobe.glsl" // Lobe, LOBE_*, lobe_density(), lobe_sample_chord(), phong_brdf()
+#include "lobelia/albedo.glsl" // phong_albedo()
+#include "lobelia/lobe.glsl"   // Lobe, LOBE_*, lobe_density(), lobe_sample_chord(), phong_brdf()
 #undef SHARED
 
 /// The cosine lobe of a perfectly diffuse surface.
-inline Lobe lambert() { return {LOBE_LAMBERT, 0.0f}; }
+inline Lobe lambert() {
+    return {LOBE_LAMBERT, 0.0f};
+}
 
 /// Phong's specular lobe. `exponent` >= 0; larger is sharper.
-inline Lobe phong(float exponent) { return {LOBE_PHONG, exponent}; }
+inline Lobe phong(float exponent) {
+    return {LOBE_PHONG, exponent};
+}
 
 } // namespace lobelia
