@@ -15,9 +15,9 @@ function(lobelia_embed_shaders target)
         set(compile ${GLSLANG} --quiet --target-env vulkan1.1 -I${include_dir})
         add_custom_command(
             OUTPUT ${out}.inc
-            COMMAND ${compile} --depfile ${out}.d ${shader} -o ${out}.spv
+            COMMAND ${compile} ${shader} -o ${out}.spv
             COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${out}.spv
-            COMMAND ${compile} -x ${shader} -o ${out}.inc
+            COMMAND ${compile} --depfile ${out}.d -x ${shader} -o ${out}.inc
             DEPENDS ${shader} DEPFILE ${out}.d VERBATIM)
         target_sources(${target} PRIVATE ${out}.inc)
     endforeach()
