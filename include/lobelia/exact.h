@@ -82,8 +82,9 @@ public:
     Result<ExactJob> bind(const CubeMap& source, const ExactSettings& settings, VkBuffer queries,
                           VkBuffer results, VkBuffer tables) const;
 
-private:
     struct State;
+
+private:
     explicit Exact(std::shared_ptr<State> state) noexcept;
     std::shared_ptr<State> state_;
 };

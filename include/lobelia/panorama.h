@@ -41,18 +41,14 @@ public:
     PanoramaToCube& operator=(PanoramaToCube&&) noexcept;
     ~PanoramaToCube();
 
-    /// Makes views and descriptors. `source` needs SAMPLED usage and width, height in [1, 32768];
-    /// `target` needs STORAGE usage, format R32G32B32A32_SFLOAT. `tables` is a buffer of
-    /// tables_size() bytes with STORAGE_BUFFER and TRANSFER_DST usage that record() fills. All must
-    /// outlive the job's last use on the device.
-    Result<PanoramaToCubeJob> bind(const Panorama& source, const CubeMap& target,
-                                   VkBuffer tables) const;
+    /// Makes views and descriptors. `source` needs SAMPLED usage and sides of 1 to 32768 texels;
+    /// `target` needs STORAGE usage and format R32G32B32A32_SFLOAT. Both must outlive the job's last
+    /// use on the device.
+    Result<PanoramaToCubeJob> bind(const Panorama& source, const CubeMap& target) const;
 
-    /// Bytes of the buffer that bind() needs.
-    static VkDeviceSize tables_size(const Panorama& source) noexcept;
+    struct State;
 
 private:
-    struct State;
     explicit PanoramaToCube(std::shared_ptr<State> state) noexcept;
     std::shared_ptr<State> state_;
 };

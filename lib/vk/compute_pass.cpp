@@ -25,18 +25,46 @@ Result<ComputePass> make_compute_pass(const Context& context,
                   .pSpecializationInfo = &constants},
         .layout = interface->layout.get()};
     VkPipeline pipeline = VK_NULL_HANDLE;
-    const VkResult code = context.call.vkCreateComputePipelines(
-        context.device.handle, context.device.pipeline_cache, 1, &info, context.device.allocator,
-        &pipeline);
+    const VkResult code =
+        context.call.vkCreateComputePipelines(context.device.handle, context.device.pipeline_cache,
+                                              1, &info, context.device.allocator, &pipeline);
     if (code != VK_SUCCESS) return Error{code, "create compute pipeline"};
     return ComputePass{std::move(*interface), Pipeline(context, pipeline)};
 }
 
-void memory_barrier(const Context& context, VkCommandBuffer commands, VkPipelineStageFlags from_stage,
-                    VkAccessFlags from, VkPipelineStageFlags to_stage, VkAccessFlags to) {
-    const VkMemoryBarrier barrier{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
-                                  .srcAccessMask = from,
-                                  .dstAccessMask = to};
+void image_barrier(const Context& context, VkCommandBuffer commands, VkImage image,
+                   const ImageUse& from, const ImageUse& to, std::uint32_t first_level,
+                   std::uint32_t levels) {
+    const VkImageMemoryBarrier barrier{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
+                                       .srcAccessMask = from.access,
+                                       .dstAccessMask = to.access,
+                                       .oldLayout = from.layout,
+                                       .newLayout = to.layout,
+                                       .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                       .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                       .image = image,
+                                       .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, first_level,
+                                                            levels, 0, VK_REMAINING_ARRAY_LAYERS}};
+    context.call.vkCmdPipelineBarrier(commands, from.stage, to.stage, 0, 0, nullptr, 0, nullptr, 1,
+                                      &barrier);
+}
+
+Result<ImageView> make_storage_view(const Context& context, VkImage image, VkFormat format,
+                                    std::uint32_t level) {
+    const VkImageViewCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+        .image = image,
+        .viewType = VK_IMAGE_VIEW_TYPE_2D_ARRAY,
+        .format = format,
+        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, level, 1, 0, VK_REMAINING_ARRAY_LAYERS}};
+    return make<ImageView>(context, context.call.vkCreateImageView, info, "create image view");
+}
+
+void memory_barrier(const Context& context, VkCommandBuffer commands,
+                    VkPipelineStageFlags from_stage, VkAccessFlags from,
+                    VkPipelineStageFlags to_stage, VkAccessFlags to) {
+    const VkMemoryBarrier barrier{
+        .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER, .srcAccessMask = from, .dstAccessMask = to};
     context.call.vkCmdPipelineBarrier(commands, from_stage, to_stage, 0, 1, &barrier, 0, nullptr, 0,
                                       nullptr);
 }

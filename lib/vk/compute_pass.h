@@ -23,8 +23,45 @@ struct ComputePass {
 Result<ComputePass> make_compute_pass(const Context& context,
                                       const ComputePassDescription& description);
 
+/// Binds the pipeline, one descriptor set and the push constants of a pass.
+template <class Params>
+void begin_pass(const Context& context, VkCommandBuffer commands, const ComputePass& pass,
+                VkDescriptorSet set, const Params& params) {
+    const VkPipelineLayout layout = pass.interface.layout.get();
+    context.call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pass.pipeline.get());
+    context.call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 1,
+                                         &set, 0, nullptr);
+    context.call.vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof params,
+                                    &params);
+}
+
+/// How one image is used: the stage, its access, and the layout that goes with them.
+struct ImageUse {
+    VkPipelineStageFlags stage;
+    VkAccessFlags access;
+    VkImageLayout layout;
+};
+constexpr ImageUse DISCARDED{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_ACCESS_MEMORY_WRITE_BIT,
+                             VK_IMAGE_LAYOUT_UNDEFINED}; // whatever it was before
+constexpr ImageUse STORED{VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT,
+                          VK_IMAGE_LAYOUT_GENERAL};
+constexpr ImageUse SAMPLED{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT |
+                               VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                           VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+
+/// Moves all layers of `levels` levels of a colour image, `first_level` on, from one use to the
+/// next.
+void image_barrier(const Context& context, VkCommandBuffer commands, VkImage image,
+                   const ImageUse& from, const ImageUse& to, std::uint32_t first_level = 0,
+                   std::uint32_t levels = VK_REMAINING_MIP_LEVELS);
+
+/// A view of level `level` of a cube map as a 2D array of its six faces, for image stores.
+Result<ImageView> make_storage_view(const Context& context, VkImage image, VkFormat format,
+                                    std::uint32_t level);
+
 /// Makes what was written at `from` visible to `to` for the commands that follow.
-void memory_barrier(const Context& context, VkCommandBuffer commands, VkPipelineStageFlags from_stage,
-                    VkAccessFlags from, VkPipelineStageFlags to_stage, VkAccessFlags to);
+void memory_barrier(const Context& context, VkCommandBuffer commands,
+                    VkPipelineStageFlags from_stage, VkAccessFlags from,
+                    VkPipelineStageFlags to_stage, VkAccessFlags to);
 
 } // namespace lobelia::vk

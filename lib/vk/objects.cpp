@@ -11,6 +11,20 @@ Result<ShaderModule> make_shader_module(const Context& context,
                               "create shader module");
 }
 
+Result<Sampler> make_sampler(const Context& context, VkFilter filter) {
+    const bool linear = filter == VK_FILTER_LINEAR;
+    const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                   .magFilter = filter,
+                                   .minFilter = filter,
+                                   .mipmapMode = linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR
+                                                        : VK_SAMPLER_MIPMAP_MODE_NEAREST,
+                                   .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+                                   .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+                                   .addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+                                   .maxLod = VK_LOD_CLAMP_NONE};
+    return make<Sampler>(context, context.call.vkCreateSampler, info, "create sampler");
+}
+
 Result<Interface> make_interface(const Context& context, VkShaderStageFlags stages,
                                  std::span<const VkDescriptorType> bindings,
                                  std::uint32_t push_constant_size) {
@@ -53,11 +67,11 @@ Result<DescriptorSets> make_descriptor_sets(const Context& context, VkDescriptor
 
     const std::vector<VkDescriptorSetLayout> layouts(sets, layout);
     DescriptorSets result{std::move(*pool), std::vector<VkDescriptorSet>(sets)};
-    const VkDescriptorSetAllocateInfo allocation{
-        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
-        .descriptorPool = result.pool.get(),
-        .descriptorSetCount = sets,
-        .pSetLayouts = layouts.data()};
+    const VkDescriptorSetAllocateInfo allocation{.sType =
+                                                     VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                                 .descriptorPool = result.pool.get(),
+                                                 .descriptorSetCount = sets,
+                                                 .pSetLayouts = layouts.data()};
     const VkResult code = context.call.vkAllocateDescriptorSets(context.device.handle, &allocation,
                                                                 result.sets.data());
     if (code != VK_SUCCESS) return Error{code, "allocate descriptor sets"};

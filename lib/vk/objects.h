@@ -32,6 +32,9 @@ Result<Owner> make(const Context& context, Create create, const Info& info, cons
 Result<ShaderModule> make_shader_module(const Context& context,
                                         std::span<const std::uint32_t> spirv);
 
+/// A sampler that clamps to the edge, with one filter for everything.
+Result<Sampler> make_sampler(const Context& context, VkFilter filter);
+
 /// One descriptor set layout and pipeline layout: entry `i` of `bindings` is binding `i` of set 0,
 /// and `push_constant_size` bytes are visible to `stages`.
 struct Interface {

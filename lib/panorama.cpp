@@ -1,0 +1,148 @@
+#include <lobelia/panorama.h>
+
+#include "vk/compute_pass.h"
+#include "vk/guard.h"
+
+namespace lobelia {
+
+namespace {
+
+constexpr std::uint32_t SPIRV[] = {
+#include "panorama.comp.inc"
+};
+
+constexpr VkDescriptorType BINDINGS[] = {
+    VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // panorama
+    VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,          // cube, level 0
+};
+
+struct Params { // as in panorama.comp
+    std::uint32_t width;
+    std::uint32_t height;
+    std::uint32_t size;
+    std::uint32_t columns;
+};
+
+constexpr std::uint32_t GROUP_SIZE = 64; // local_size_x in panorama.comp
+constexpr std::uint32_t ALONE[] = {1};
+constexpr std::uint32_t TOGETHER[] = {GROUP_SIZE};
+
+constexpr vk::ComputePassDescription describe(std::span<const std::uint32_t> team) {
+    return {.name = "panorama to cube",
+            .spirv = SPIRV,
+            .bindings = BINDINGS,
+            .push_constant_size = sizeof(Params),
+            .constants = team};
+}
+
+constexpr std::uint32_t FACES = 6;
+constexpr std::uint32_t LARGEST_SIDE = 32768;
+
+// lavapipe ends an invocation's loops after 65535 iterations without a word, so no invocation may
+// visit that many pairs of texels.
+constexpr std::uint64_t PAIRS_PER_INVOCATION = 60000;
+
+// Panorama texels that one cube texel overlaps, at most: reached by the texel around a pole.
+std::uint64_t most_pairs(std::uint64_t width, std::uint64_t height, std::uint64_t size) {
+    return width * height / (2 * size);
+}
+
+// A column must span well under half a turn for the shader's wedges and three quadrature nodes.
+constexpr std::uint32_t LEAST_COLUMNS = 32;
+
+} // namespace
+
+struct PanoramaToCube::State {
+    vk::Context context;
+    vk::Sampler sampler;
+    vk::ComputePass alone;    // an invocation a texel
+    vk::ComputePass together; // a workgroup a texel
+};
+
+struct PanoramaToCubeJob::State {
+    std::shared_ptr<const PanoramaToCube::State> shared;
+    vk::ImageView target_view;
+    vk::DescriptorSets sets;
+    VkImage target;
+    Params params;
+    bool together;
+};
+
+PanoramaToCube::PanoramaToCube(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
+PanoramaToCube::PanoramaToCube(PanoramaToCube&&) noexcept = default;
+PanoramaToCube& PanoramaToCube::operator=(PanoramaToCube&&) noexcept = default;
+PanoramaToCube::~PanoramaToCube() = default;
+
+Result<PanoramaToCube> PanoramaToCube::create(const Device& device) {
+    return vk::guarded([&]() -> Result<PanoramaToCube> {
+        auto context = vk::load(device);
+        if (!context) return context.error();
+        auto state = std::make_shared<State>();
+        state->context = *context;
+        auto sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
+        if (!sampler) return sampler.error();
+        state->sampler = std::move(*sampler);
+        auto alone = vk::make_compute_pass(state->context, describe(ALONE));
+        if (!alone) return alone.error();
+        state->alone = std::move(*alone);
+        auto together = vk::make_compute_pass(state->context, describe(TOGETHER));
+        if (!together) return together.error();
+        state->together = std::move(*together);
+        return PanoramaToCube(std::move(state));
+    });
+}
+
+Result<PanoramaToCubeJob> PanoramaToCube::bind(const Panorama& source,
+                                               const CubeMap& target) const {
+    return vk::guarded([&]() -> Result<PanoramaToCubeJob> {
+        if (source.width < 1 || source.height < 1 || source.width > LARGEST_SIDE ||
+            source.height > LARGEST_SIDE)
+            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
+                         "a panorama's sides are 1 to 32768 texels"};
+        if (target.format != VK_FORMAT_R32G32B32A32_SFLOAT || target.size < 1)
+            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
+                         "the cube map to fill has format R32G32B32A32_SFLOAT and a size"};
+        const std::uint32_t repeat = (LEAST_COLUMNS + source.width - 1) / source.width;
+        const Params params{source.width, source.height, target.size, source.width * repeat};
+        const std::uint64_t pairs = most_pairs(params.columns, params.height, params.size);
+        if (pairs > PAIRS_PER_INVOCATION * GROUP_SIZE)
+            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
+                         "the cube map's face is too small for so large a panorama"};
+
+        const vk::Context& context = state_->context;
+        auto view = vk::make_storage_view(context, target.image, target.format, 0);
+        if (!view) return view.error();
+        auto sets = vk::make_descriptor_sets(context, state_->alone.interface.set_layout.get(),
+                                             BINDINGS, 1);
+        if (!sets) return sets.error();
+        const vk::Resource resources[] = {
+            vk::sampled_image(source.view, state_->sampler.get()),
+            vk::storage_image(view->get()),
+        };
+        vk::write_descriptor_set(context, sets->sets[0], BINDINGS, resources);
+
+        return PanoramaToCubeJob(std::unique_ptr<PanoramaToCubeJob::State>(
+            new PanoramaToCubeJob::State{state_, std::move(*view), std::move(*sets), target.image,
+                                         params, pairs > PAIRS_PER_INVOCATION}));
+    });
+}
+
+PanoramaToCubeJob::PanoramaToCubeJob(std::unique_ptr<State> state) noexcept
+    : state_(std::move(state)) {}
+PanoramaToCubeJob::PanoramaToCubeJob(PanoramaToCubeJob&&) noexcept = default;
+PanoramaToCubeJob& PanoramaToCubeJob::operator=(PanoramaToCubeJob&&) noexcept = default;
+PanoramaToCubeJob::~PanoramaToCubeJob() = default;
+
+void PanoramaToCubeJob::record(VkCommandBuffer commands) const noexcept {
+    const vk::Context& context = state_->shared->context;
+    const vk::ComputePass& pass =
+        state_->together ? state_->shared->together : state_->shared->alone;
+    const std::uint32_t size = state_->params.size;
+    const std::uint32_t groups = state_->together ? size : (size + GROUP_SIZE - 1) / GROUP_SIZE;
+    vk::image_barrier(context, commands, state_->target, vk::DISCARDED, vk::STORED);
+    vk::begin_pass(context, commands, pass, state_->sets.sets[0], state_->params);
+    context.call.vkCmdDispatch(commands, groups, size, FACES);
+    vk::image_barrier(context, commands, state_->target, vk::STORED, vk::SAMPLED);
+}
+
+} // namespace lobelia
