@@ -19,7 +19,7 @@ SHARED float sin_turns(float x) {
     float angle = 2.0f * PI * folded;
     float q = angle * angle;
     return angle * (1.0f - q / 6.0f * (1.0f - q / 20.0f * (1.0f - q / 42.0f * (1.0f - q / 72.0f *
-           (1.0f - q / 110.0f * (1.0f - q / 156.0f))))));
+           (1.0f - q / 110.0f)))));
 }
 
 // cos(2 pi x) for x in [-1/2, 1/2].

@@ -42,7 +42,7 @@ SHARED float one_minus_exp2(float x) {
 
 // cos(theta)^exponent in front of the axis and 0 behind it, exponent 0 included, where pow() would
 // be left with an undefined 0^0. For any exponent from 0 to 1e6 the relative error is about
-// 1e-7 (3 + 5 |log2 of the result|) on any device that keeps to Vulkan's limits.
+// 1e-7 (4 + 6 |log2 of the result|) on any device that keeps to Vulkan's limits.
 SHARED float chord_power(float chord, float exponent) {
     if (chord >= 1.0f) return 0.0f;
     return exp2(exponent * log2_one_minus(chord));
