@@ -61,6 +61,7 @@ struct PanoramaToCube::State {
 
 struct PanoramaToCubeJob::State {
     std::shared_ptr<const PanoramaToCube::State> shared;
+    vk::ImageView source_view;
     vk::ImageView target_view;
     vk::DescriptorSets sets;
     VkImage target;
@@ -110,20 +111,25 @@ Result<PanoramaToCubeJob> PanoramaToCube::bind(const Panorama& source,
                          "the cube map's face is too small for so large a panorama"};
 
         const vk::Context& context = state_->context;
-        auto view = vk::make_storage_view(context, target.image, target.format, 0);
-        if (!view) return view.error();
+        auto source_view =
+            vk::make_level_view(context, source.image, source.format, VK_IMAGE_VIEW_TYPE_2D);
+        if (!source_view) return source_view.error();
+        auto target_view =
+            vk::make_level_view(context, target.image, target.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
+        if (!target_view) return target_view.error();
         auto sets = vk::make_descriptor_sets(context, state_->alone.interface.set_layout.get(),
                                              BINDINGS, 1);
         if (!sets) return sets.error();
         const vk::Resource resources[] = {
-            vk::sampled_image(source.view, state_->sampler.get()),
-            vk::storage_image(view->get()),
+            vk::sampled_image(source_view->get(), state_->sampler.get()),
+            vk::storage_image(target_view->get()),
         };
         vk::write_descriptor_set(context, sets->sets[0], BINDINGS, resources);
 
         return PanoramaToCubeJob(std::unique_ptr<PanoramaToCubeJob::State>(
-            new PanoramaToCubeJob::State{state_, std::move(*view), std::move(*sets), target.image,
-                                         params, pairs > PAIRS_PER_INVOCATION}));
+            new PanoramaToCubeJob::State{state_, std::move(*source_view), std::move(*target_view),
+                                         std::move(*sets), target.image, params,
+                                         pairs > PAIRS_PER_INVOCATION}));
     });
 }
 

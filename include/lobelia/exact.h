@@ -72,11 +72,11 @@ public:
     struct Sizes {
         VkDeviceSize queries, results, tables;
     };
-    static Sizes sizes(const Panorama& source, const ExactSettings& settings) noexcept;
-    static Sizes sizes(const CubeMap& source, const ExactSettings& settings) noexcept;
+    static Result<Sizes> sizes(const Panorama& source, const ExactSettings& settings) noexcept;
+    static Result<Sizes> sizes(const CubeMap& source, const ExactSettings& settings) noexcept;
 
-    /// Makes views and descriptors. The source needs SAMPLED usage. Refuses exponents outside
-    /// [0, 1e6]. All handles must outlive the job's last use on the device.
+    /// Makes views and descriptors. The source needs SAMPLED usage. Both functions refuse exponents
+    /// outside [0, 1e6] and empty lists. All handles must outlive the job's last use on the device.
     Result<ExactJob> bind(const Panorama& source, const ExactSettings& settings, VkBuffer queries,
                           VkBuffer results, VkBuffer tables) const;
     Result<ExactJob> bind(const CubeMap& source, const ExactSettings& settings, VkBuffer queries,

@@ -6,11 +6,12 @@
 
 namespace lobelia {
 
-/// A latitude-longitude panorama, lent: a 2D view of level 0, single layer, any format that can be
+/// A latitude-longitude panorama, lent: level 0, layer 0 of an image of any float format that can be
 /// sampled, linear radiance. Texel (x, y) is constant radiance over its own solid angle; the image
-/// centre is +Z, the top +Y, u = 0.25 is +X (README, "Conventions").
+/// centre is +Z, the top +Y, u = 0.25 is +X (README, "Conventions"). The library makes its own views.
 struct Panorama {
-    VkImageView view = VK_NULL_HANDLE;
+    VkImage image = VK_NULL_HANDLE;
+    VkFormat format = VK_FORMAT_UNDEFINED;
     std::uint32_t width = 0;  // texels
     std::uint32_t height = 0; // texels
 };

@@ -49,14 +49,15 @@ void image_barrier(const Context& context, VkCommandBuffer commands, VkImage ima
                                       &barrier);
 }
 
-Result<ImageView> make_storage_view(const Context& context, VkImage image, VkFormat format,
-                                    std::uint32_t level) {
+Result<ImageView> make_level_view(const Context& context, VkImage image, VkFormat format,
+                                  VkImageViewType type, std::uint32_t level) {
     const VkImageViewCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
         .image = image,
-        .viewType = VK_IMAGE_VIEW_TYPE_2D_ARRAY,
+        .viewType = type,
         .format = format,
-        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, level, 1, 0, VK_REMAINING_ARRAY_LAYERS}};
+        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, level, 1, 0,
+                             type == VK_IMAGE_VIEW_TYPE_2D ? 1 : VK_REMAINING_ARRAY_LAYERS}};
     return make<ImageView>(context, context.call.vkCreateImageView, info, "create image view");
 }
 

@@ -55,9 +55,9 @@ void image_barrier(const Context& context, VkCommandBuffer commands, VkImage ima
                    const ImageUse& from, const ImageUse& to, std::uint32_t first_level = 0,
                    std::uint32_t levels = VK_REMAINING_MIP_LEVELS);
 
-/// A view of level `level` of a cube map as a 2D array of its six faces, for image stores.
-Result<ImageView> make_storage_view(const Context& context, VkImage image, VkFormat format,
-                                    std::uint32_t level);
+/// A view of all layers of one level: a cube map's faces as a 2D array for image stores, say.
+Result<ImageView> make_level_view(const Context& context, VkImage image, VkFormat format,
+                                  VkImageViewType type, std::uint32_t level = 0);
 
 /// Makes what was written at `from` visible to `to` for the commands that follow.
 void memory_barrier(const Context& context, VkCommandBuffer commands,
