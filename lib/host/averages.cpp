@@ -1,0 +1,124 @@
+#include "host/averages.h"
+
+#include <algorithm>
+#include <cstring>
+#include <ctime>
+
+namespace lobelia::host {
+
+namespace {
+
+constexpr std::uint32_t MOST_QUERIES = 1 << 18; // in one buffer: 8 MiB
+constexpr std::size_t CHANNELS = 4;
+
+Outcome<Exact::Sizes> sizes_of(const ExactSource& source, const ExactSettings& settings) {
+    const auto sizes = source.is_panorama ? Exact::sizes(source.panorama, settings)
+                                          : Exact::sizes(source.cube, settings);
+    if (!sizes) return core_failure(sizes.error());
+    return *sizes;
+}
+
+/// Runs one list of queries that fits into one buffer.
+Outcome<Done> average_batch(Gpu& gpu, const Exact& exact, const ExactSource& source,
+                            const ExactSettings& settings, std::span<const ExactQuery> queries,
+                            const Progress& progress, Averages& result) {
+    const auto sizes = sizes_of(source, settings);
+    if (!sizes) return sizes.error();
+    const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    const auto asked = gpu.create_buffer(sizes->queries, storage, Memory::host);
+    if (!asked) return asked.error();
+    const auto answered = gpu.create_buffer(sizes->results, storage, Memory::host);
+    if (!answered) return answered.error();
+    const auto tables = gpu.create_buffer(sizes->tables, storage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                          Memory::device);
+    if (!tables) return tables.error();
+    std::memcpy(asked->data(), queries.data(), queries.size_bytes());
+
+    const auto job = source.is_panorama ? exact.bind(source.panorama, settings, asked->handle(),
+                                                     answered->handle(), tables->handle())
+                                        : exact.bind(source.cube, settings, asked->handle(),
+                                                     answered->handle(), tables->handle());
+    if (!job) return core_failure(job.error());
+    for (std::uint32_t step = 0; step < job->steps(); ++step) {
+        if (progress && !progress(double(step) / job->steps())) return Failure{"cancelled"};
+        const auto done = run_pass(
+            gpu, result.report, [&](VkCommandBuffer commands) { job->record(commands, step, 1); });
+        if (!done) return done.error();
+    }
+    const auto* const values = reinterpret_cast<const float*>(answered->data());
+    result.texels.insert(result.texels.end(), values, values + CHANNELS * queries.size());
+    return Done{};
+}
+
+} // namespace
+
+ExactSource exact_source(const GpuEnvironment& environment) {
+    const bool is_panorama = environment.panorama.has_value();
+    const GpuImage& image = is_panorama ? *environment.panorama : environment.cube;
+    const GpuImageDescription& shape = image.description();
+    ExactSource source{.is_panorama = is_panorama, .bytes = image_bytes(image)};
+    if (is_panorama)
+        source.panorama = {image.handle(), shape.format, shape.width, shape.height};
+    else
+        source.cube = {image.handle(), shape.format, shape.width, shape.levels};
+    return source;
+}
+
+Outcome<Averages> average(Gpu& gpu, const Exact& exact, const ExactSource& source,
+                          ExactSettings settings, std::span<const ExactQuery> queries,
+                          const Progress& progress) {
+    Averages result;
+    result.report.name = "exact";
+    result.texels.reserve(CHANNELS * queries.size());
+    for (std::size_t first = 0; first < queries.size(); first += MOST_QUERIES) {
+        const std::size_t count = std::min<std::size_t>(MOST_QUERIES, queries.size() - first);
+        const double size = double(queries.size());
+        settings.query_count = std::uint32_t(count);
+        const auto done = average_batch(
+            gpu, exact, source, settings, queries.subspan(first, count),
+            share(progress, double(first) / size, double(first + count) / size), result);
+        if (!done) return done.error();
+    }
+    for (std::size_t i = CHANNELS - 1; i < result.texels.size(); i += CHANNELS)
+        result.texels[i] = 1.0f;
+    result.report.invocations = queries.size();
+    result.report.bytes_read = source.bytes + queries.size_bytes();
+    result.report.bytes_written = result.texels.size() * sizeof(float);
+    return result;
+}
+
+Progress share(const Progress& progress, double from, double to) {
+    if (!progress) return {};
+    return [&progress, from, to](double done) { return progress(from + done * (to - from)); };
+}
+
+double process_milliseconds() {
+    return 1e3 * double(std::clock()) / CLOCKS_PER_SEC;
+}
+
+Outcome<Done> run_pass(Gpu& gpu, PassReport& report,
+                       const std::function<void(VkCommandBuffer)>& record) {
+    const double start = process_milliseconds();
+    const auto done = gpu.submit(record);
+    report.cpu_ms = report.cpu_ms.value_or(0.0) + process_milliseconds() - start;
+    return done;
+}
+
+Failure core_failure(const Error& error) {
+    if (error.code == VK_ERROR_VALIDATION_FAILED_EXT) return Failure{error.step};
+    return Failure{"could not " + std::string(error.step) + " (VkResult " +
+                   std::to_string(int(error.code)) + ")"};
+}
+
+std::uint64_t image_bytes(const GpuImage& image) {
+    const GpuImageDescription& shape = image.description();
+    return std::uint64_t(CHANNELS) * sizeof(float) * shape.width * shape.height * shape.layers;
+}
+
+ImageReport image_report(const std::string& name, const GpuImage& image, const char* lifetime) {
+    const GpuImageDescription& shape = image.description();
+    return {name,         shape.width,           shape.height,       shape.layers,
+            shape.levels, "R32G32B32A32_SFLOAT", image_bytes(image), lifetime};
+}
+
+} // namespace lobelia::host

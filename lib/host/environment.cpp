@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <bit>
+
+#include <lobelia/host/work.h>
+#include <lobelia/panorama.h>
+#include <lobelia/sky.h>
+
+#include "host/averages.h"
+
+namespace lobelia::host {
+
+namespace {
+
+constexpr std::uint32_t SKY_WIDTH = 1024;
+constexpr std::uint32_t SKY_HEIGHT = 512;
+
+constexpr VkImageUsageFlags USAGE = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
+                                    VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                    VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+
+GpuImageDescription cube_shape(std::uint32_t face) {
+    return {.width = face, .height = face, .layers = 6, .usage = USAGE, .cube = true};
+}
+
+// A texel of the panorama's equator is as wide as one in the middle of a face of width / 4.
+std::uint32_t default_face(std::uint32_t panorama_width) {
+    return std::bit_ceil(std::max((panorama_width + 3) / 4, 1u));
+}
+
+Outcome<GpuEnvironment> resample(Gpu& gpu, GpuImage panorama, WorkReport report,
+                                 std::uint32_t face) {
+    const GpuImageDescription& shape = panorama.description();
+    auto cube = gpu.create_image(cube_shape(face ? face : default_face(shape.width)));
+    if (!cube) return cube.error();
+    const auto pass = PanoramaToCube::create(gpu.device());
+    if (!pass) return core_failure(pass.error());
+    const std::uint32_t size = cube->description().width;
+    const auto job = pass->bind({panorama.handle(), shape.format, shape.width, shape.height},
+                                {cube->handle(), shape.format, size, 1});
+    if (!job) return core_failure(job.error());
+
+    PassReport run{.name = "panorama to cube",
+                   .invocations = std::uint64_t(6) * size * size,
+                   .bytes_read = image_bytes(panorama),
+                   .bytes_written = image_bytes(*cube)};
+    const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) { job->record(commands); });
+    if (!done) return done.error();
+    report.passes.push_back(run);
+    report.images.push_back(image_report("panorama", panorama, "kept"));
+    report.images.push_back(image_report("environment cube", *cube, "kept"));
+    return GpuEnvironment{std::move(panorama), std::move(*cube), std::move(report)};
+}
+
+Outcome<GpuEnvironment> upload_cube(Gpu& gpu, const Image& image) {
+    auto cube = gpu.create_image(cube_shape(image.width));
+    if (!cube) return cube.error();
+    if (const auto done = gpu.upload(image, *cube); !done) return done.error();
+    GpuEnvironment environment{std::nullopt, std::move(*cube), {}};
+    environment.report.images.push_back(image_report("environment cube", environment.cube, "kept"));
+    return environment;
+}
+
+bool is_complete(const Image& image) {
+    const bool shaped = image.layout == Layout::cube
+                            ? image.layers == 6 && image.width == image.height
+                            : image.layers == 1;
+    return shaped && image.width > 0 && image.height > 0 &&
+           image.texels.size() == std::size_t(4) * image.layers * image.height * image.width;
+}
+
+} // namespace
+
+Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face) {
+    if (!is_complete(image))
+        return Failure{"an environment is one panorama or six square faces of R G B A texels"};
+    if (image.layout == Layout::cube) return upload_cube(gpu, image);
+    auto panorama =
+        gpu.create_image({.width = image.width, .height = image.height, .usage = USAGE});
+    if (!panorama) return panorama.error();
+    if (const auto done = gpu.upload(image, *panorama); !done) return done.error();
+    return resample(gpu, std::move(*panorama), {}, face);
+}
+
+Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face) {
+    auto panorama = gpu.create_image({.width = SKY_WIDTH, .height = SKY_HEIGHT, .usage = USAGE});
+    if (!panorama) return panorama.error();
+    const auto sky = Sky::create(gpu.device());
+    if (!sky) return core_failure(sky.error());
+    const auto job = sky->bind({panorama->handle(), panorama->view(), SKY_WIDTH, SKY_HEIGHT});
+    if (!job) return core_failure(job.error());
+
+    PassReport run{.name = "sky",
+                   .invocations = std::uint64_t(SKY_WIDTH) * SKY_HEIGHT,
+                   .bytes_written = image_bytes(*panorama)};
+    const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) { job->record(commands); });
+    if (!done) return done.error();
+    return resample(gpu, std::move(*panorama), {.passes = {run}, .images = {}}, face);
+}
+
+} // namespace lobelia::host
