@@ -63,8 +63,8 @@ vec3 radiance(vec3 direction, float spacing) {
                        vec3(7.0, 6.2, 5.2)); // warm, to the right
     colour += soft_box(direction, normalize(vec3(-1.0, 0.25, -0.55)), vec2(0.13, 0.55), 0.02,
                        vec3(2.2, 3.4, 5.0)); // a cool strip, behind on the left
-    colour += soft_box(direction, normalize(vec3(0.15, 0.12, -1.0)), vec2(0.16, 0.10), 0.02,
-                       vec3(5.0, 1.4, 0.5)); // a small red lamp, behind
+    colour += soft_box(direction, normalize(vec3(0.8, 0.10, -0.9)), vec2(0.12, 0.08), 0.02,
+                       vec3(5.0, 1.4, 0.5)); // a small red lamp, behind on the right
 
     // A smooth disc, (1 - t)^2 over t = (1 - cos) / edge, whose integral is known; never narrower
     // than the samples can see.

@@ -12,9 +12,9 @@ namespace lobelia::host {
 namespace {
 
 constexpr std::uint32_t LEAST_FACE = 16;
-constexpr std::uint32_t LEAST_SOURCE_FACE = 64;
 constexpr std::uint32_t TILE = 8;    // texels of an edge
 constexpr double LAST_WEIGHT = 1e-6; // of the peak; what is below is left out
+constexpr double LAST_POWER = 14.0;  // its logarithm, as a power of e
 
 /// A square of texels and the cone about it.
 struct Tile {
@@ -89,15 +89,15 @@ private:
 
     // Weights are relative to the largest one, so that the sharpest lobe keeps its nearest texel.
     void average(const std::vector<Emitter>& emitters, Vector axis, float* result) const {
-        double least = 2.0;
+        double least = 0.999;
         for (const Emitter& emitter : emitters) least = std::min(least, chord(emitter, axis));
-        const double peak = exponent_ * std::log1p(-std::min(least, 0.999));
+        const double peak = exponent_ * std::log1p(-least);
         double sum[3] = {}, weights = 0.0;
         for (const Emitter& emitter : emitters) {
             const double distance = chord(emitter, axis);
-            if (distance >= 1.0) continue;
+            // log(1 - t) falls faster than -t, so what this skips is below the last weight.
+            if (distance >= 1.0 || exponent_ * (distance - least) > LAST_POWER) continue;
             const double power = exponent_ * std::log1p(-distance) - peak;
-            if (power < -20.0) continue;
             const double weight = emitter.solid_angle * std::exp(power);
             for (int i = 0; i < 3; ++i) sum[i] += weight * emitter.light[i];
             weights += weight;
@@ -126,7 +126,7 @@ std::uint32_t lobe_face(float exponent, std::uint32_t largest) {
 }
 
 Image lobe_map(const Image& cube, float exponent, std::uint32_t face) {
-    const std::uint32_t needed = std::max(2 * lobe_face(exponent, cube.width), LEAST_SOURCE_FACE);
+    const std::uint32_t needed = 2 * lobe_face(exponent, cube.width);
     const bool reducible = needed < cube.width && cube.width % needed == 0;
     const Image reduced = reducible ? reduced_cube(cube, needed) : Image{};
     const Filter filter(reducible ? reduced : cube, exponent, face);
