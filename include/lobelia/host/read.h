@@ -22,8 +22,8 @@ struct ReadLimits {
 };
 
 /// How many texels were not radiance and by what rule they were replaced: NaN and -infinity by 0,
-/// +infinity by the channel's largest finite value, negative values by 0. A texel counts once, in
-/// the first class that one of its channels falls into.
+/// +infinity by the channel's largest finite value (0 if it has none), negative values by 0. A texel
+/// counts once, in the first class that one of its channels falls into; -infinity is infinite.
 struct Sanitised {
     std::uint64_t not_a_number = 0;
     std::uint64_t infinite = 0;
@@ -38,8 +38,18 @@ struct Environment {
 };
 
 /// Reads an environment map from an OpenEXR or Radiance .hdr file, told apart by content. Latitude-
-/// longitude, or a cube map where an OpenEXR file's `envmap` attribute says so. Fails with a message
-/// that names the file; nothing is returned for a file of which any part is damaged.
+/// longitude, or a cube map where an OpenEXR file's `envmap` attribute says so. Only regular files,
+/// or links to them, are read.
+///
+/// OpenEXR: the first part with R, G, B or with Y (grey), else the first with R alone; other channels
+/// are ignored, subsampled and deep ones refused. With an `envmap` attribute the map is the data
+/// window, as OpenEXR defines it, without one it is the display window, black where there is no data.
+/// Values are never converted to other primaries. Radiance: any of the eight orientations; values are
+/// divided by EXPOSURE.
+///
+/// Fails with a message of one line that begins with `path`. Nothing is returned when any of the
+/// image's own data is missing or damaged; other parts, and the smaller levels of a ripmap, are not
+/// looked at. A refusal because of the header costs under 16 MB whatever the header says.
 Outcome<Environment> read_environment(const std::string& path, const ReadLimits& limits = {});
 
 } // namespace lobelia::host
