@@ -24,9 +24,13 @@ enum class Content {
     environment, // channels R G B, with the `envmap` attribute; a cube becomes OpenEXR's cube layout
 };
 
-/// Writes 32-bit float OpenEXR, ZIP-compressed. The file at `path` stays as it was until the new one
-/// is complete, checked by reading it back, and on disk; then it is replaced in one step. No file is
-/// left behind on failure.
+/// Writes 32-bit float OpenEXR, ZIP-compressed; an environment also says `lobelia:sampling` = `texel
+/// centres`. Parts may differ in size: each image is its part's data window. The file at `path` stays
+/// as it was until the new one is complete, checked by reading it back, and on disk; then it is
+/// replaced in one step and keeps its permissions. No file is left behind on failure.
+///
+/// A symbolic link stays and what it points to is replaced; a device or pipe is written straight
+/// into; a folder is refused. The message of a failure begins with `path`.
 Outcome<Done> write_exr(const std::string& path, std::span<const Part> parts, Content content,
                         const Metadata& metadata = {});
 
