@@ -21,13 +21,14 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 enum class Content {
     picture,     // channels R G B A, the first layer
-    environment, // channels R G B, with the `envmap` attribute; a cube becomes OpenEXR's cube layout
+    environment, // channels R G B, with the `envmap` attribute; a cube becomes OpenEXR's cube
+                 // layout
 };
 
-/// Writes 32-bit float OpenEXR, ZIP-compressed; an environment also says `lobelia:sampling` = `texel
-/// centres`. Parts may differ in size: each image is its part's data window. The file at `path` stays
-/// as it was until the new one is complete, checked by reading it back, and on disk; then it is
-/// replaced in one step and keeps its permissions. No file is left behind on failure.
+/// Writes 32-bit float OpenEXR, ZIP-compressed; an environment also says `lobelia:sampling` =
+/// `texel centres`. Parts may differ in size: each image is its part's data window. The file at
+/// `path` stays as it was until the new one is complete, checked by reading it back, and on disk;
+/// then it is replaced in one step and keeps its permissions. No file is left behind on failure.
 ///
 /// A symbolic link stays and what it points to is replaced; a device or pipe is written straight
 /// into; a folder is refused. The message of a failure begins with `path`.
@@ -35,8 +36,8 @@ Outcome<Done> write_exr(const std::string& path, std::span<const Part> parts, Co
                         const Metadata& metadata = {});
 
 /// Writes an 8-bit sRGB PNG of a picture: scaled by 2^exposure, tone-mapped (Khronos PBR Neutral),
-/// alpha as it is (the colour divided by it first where it is not 0, since PNG is not premultiplied).
-/// Replaces `path` in one step, as write_exr does.
+/// alpha as it is (the colour divided by it first where it is not 0, since PNG is not
+/// premultiplied). Replaces `path` in one step, as write_exr does.
 Outcome<Done> write_png(const std::string& path, const Image& picture, float exposure);
 
 } // namespace lobelia::host
