@@ -18,8 +18,9 @@ const CLI::App& asked(const CLI::App& program) {
 
 int wrong_usage(const CLI::App& program, const CLI::ParseError& error) {
     const CLI::App& verb = asked(program);
-    const std::string name = &verb == &program ? "" : verb.get_name() + " ";
-    say(name + (name.empty() ? "" : ": ") + error.what() + "; see lobelia " + name + "-h");
+    const std::string name = &verb == &program ? "" : verb.get_name();
+    say((name.empty() ? "" : name + ": ") + error.what() + "; see lobelia " +
+        (name.empty() ? "" : name + " ") + "-h");
     return WRONG_USAGE;
 }
 
@@ -28,6 +29,8 @@ int run(int argument_count, char** arguments) {
     CLI::App program("Image-based lighting with Phong lobes on Vulkan", "lobelia");
     program.set_version_flag("--version", "lobelia " LOBELIA_VERSION);
     program.require_subcommand(1);
+    add_render(program, status);
+    add_prefilter(program, status);
     add_devices(program, status);
     try {
         program.parse(argument_count, arguments);

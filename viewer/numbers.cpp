@@ -13,6 +13,10 @@ Failure refused(std::string_view text, const char* why) {
     return Failure{"\"" + std::string(text) + "\" " + why};
 }
 
+Failure with_range(const Failure& failure) {
+    return Failure{failure.message + ", exponents lie from 0 to 1e6"};
+}
+
 template <class T>
 std::from_chars_result read_whole(std::string_view text, T& value) {
     std::from_chars_result read = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -61,6 +65,18 @@ Outcome<std::vector<float>> parse_numbers(std::string_view text) {
         values.push_back(*value);
     }
     return values;
+}
+
+Outcome<float> parse_exponent(std::string_view text) {
+    const Outcome<float> exponent = parse_number(text);
+    if (!exponent) return with_range(exponent.error());
+    return exponent;
+}
+
+Outcome<std::vector<float>> parse_exponents(std::string_view text) {
+    Outcome<std::vector<float>> exponents = parse_numbers(text);
+    if (!exponents) return with_range(exponents.error());
+    return exponents;
 }
 
 Outcome<std::array<float, 3>> parse_vector(std::string_view text) {

@@ -16,6 +16,11 @@ using host::Outcome;
 /// finite and within 32 bits; the whole of `text` or a failure that quotes it.
 Outcome<float> parse_number(std::string_view text);
 
+/// The exponent of a lobe, and several between commas. A failure also names the range that lobes
+/// have; whether a number lies in it is for the library to say.
+Outcome<float> parse_exponent(std::string_view text);
+Outcome<std::vector<float>> parse_exponents(std::string_view text);
+
 /// A whole number from 0 to 2^32 - 1.
 Outcome<std::uint32_t> parse_count(std::string_view text);
 

@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <memory>
+
+#include <lobelia/host/write.h>
+
+#include "environment.h"
+#include "gpu_choice.h"
+#include "messages.h"
+#include "numbers.h"
+#include "outputs.h"
+#include "parsed_option.h"
+#include "report.h"
+#include "verbs.h"
+
+namespace lobelia::cli {
+
+namespace {
+
+constexpr const char* METHOD_EXACT = "exact";
+
+struct PrefilterOptions {
+    std::string environment;
+    std::vector<float> exponents;
+    bool lambert = false;
+    host::Layout layout = host::Layout::cube;
+    std::optional<std::uint32_t> face;
+    std::optional<Size> size;
+    OutputFile output;
+    GpuChoice gpu;
+    bool json = false;
+};
+
+Outcome<host::PrefilterMethod> parse_method(std::string_view text) {
+    if (text == METHOD_EXACT) return host::PrefilterMethod::exact;
+    return host::Failure{"\"" + std::string(text) + "\" is no method; there is exact"};
+}
+
+Outcome<host::Layout> parse_layout(std::string_view text) {
+    if (text == "cube") return host::Layout::cube;
+    if (text == "latlong") return host::Layout::latlong;
+    return host::Failure{"\"" + std::string(text) + "\" is no layout; there are cube and latlong"};
+}
+
+Outcome<OutputFile> parse_map_output(std::string_view path) {
+    Outcome<OutputFile> output = parse_output(path);
+    if (!output || output->kind != FileKind::exr)
+        return host::Failure{"\"" + std::string(path) + "\" does not end in .exr"};
+    return output;
+}
+
+// Lambert's lobe is Phong's with exponent 1 about the normal.
+std::vector<float> exponents_of(const PrefilterOptions& options) {
+    std::vector<float> exponents;
+    if (options.lambert) exponents.push_back(1.0f);
+    exponents.insert(exponents.end(), options.exponents.begin(), options.exponents.end());
+    return exponents;
+}
+
+void check_usage(const PrefilterOptions& options) {
+    const std::vector<float> exponents = exponents_of(options);
+    if (exponents.empty())
+        throw CLI::ValidationError("--exponents", "give the lobes' exponents, or --lambert");
+    for (std::size_t i = 0; i < exponents.size(); ++i)
+        if (std::find(exponents.begin() + std::ptrdiff_t(i) + 1, exponents.end(), exponents[i]) !=
+            exponents.end())
+            throw CLI::ValidationError("--exponents",
+                                       number_text(exponents[i]) + " is there twice");
+    if (options.face && options.layout != host::Layout::cube)
+        throw CLI::ValidationError("--face", "is for --layout cube; latlong takes --size WxH");
+    if (options.size && options.layout != host::Layout::latlong)
+        throw CLI::ValidationError("--size", "is for --layout latlong; cube takes --face N");
+}
+
+host::PrefilterSettings settings_of(const PrefilterOptions& options) {
+    host::PrefilterSettings settings{.exponents = exponents_of(options), .layout = options.layout};
+    if (options.face) settings.width = *options.face;
+    if (options.size) {
+        settings.width = options.size->width;
+        settings.height = options.size->height;
+    }
+    return settings;
+}
+
+Outcome<Done> write_maps(const OutputFile& file, const std::vector<float>& exponents,
+                         const std::vector<host::Image>& maps) {
+    std::vector<host::Part> parts;
+    std::string list;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const std::string exponent = number_text(exponents[i]);
+        parts.push_back({maps.size() > 1 ? "n=" + exponent : "", &maps[i]});
+        list += (list.empty() ? "" : ",") + exponent;
+    }
+    return host::write_exr(file.path, parts, host::Content::environment,
+                           {{"lobelia:method", METHOD_EXACT}, {"lobelia:exponents", list}});
+}
+
+Outcome<Report> prefilter(const PrefilterOptions& options) {
+    Report report;
+    if (const auto valid = check_outputs({options.output}); !valid) return valid.error();
+
+    ProgressLine progress;
+    const auto source = read_source(options.environment, progress);
+    if (!source) return source.error();
+    auto gpu = start_gpu(options.gpu);
+    if (!gpu) return gpu.error();
+    const auto environment = upload_source(*gpu, *source, 0, progress);
+    if (!environment) return environment.error();
+
+    progress.begin("prefiltering");
+    const host::PrefilterSettings settings = settings_of(options);
+    const auto filtered = host::prefilter(*gpu, *environment, settings, progress.listener());
+    if (!filtered) return filtered.error();
+
+    progress.begin("writing");
+    const auto written = write_outputs({options.output}, [&](const OutputFile& file) {
+        return write_maps(file, settings.exponents, filtered->maps);
+    });
+    if (!written) return written.error();
+
+    report.gpu = gpu->description();
+    report.method = METHOD_EXACT;
+    report.sanitised = (*source)->sanitised;
+    report.append(environment->report);
+    report.append(filtered->report);
+    return report;
+}
+
+int prefilter_verb(const PrefilterOptions& options) {
+    const Outcome<Report> report = prefilter(options);
+    if (!report) return fail(report.error().message);
+    return options.json ? print(as_json(*report)) : SUCCEEDED;
+}
+
+} // namespace
+
+void add_prefilter(CLI::App& program, int& status) {
+    const auto options = std::make_shared<PrefilterOptions>();
+    CLI::App* const verb =
+        program.add_subcommand("prefilter", "writes an environment map averaged over Phong lobes");
+    verb->add_option("ENV", options->environment, "environment map, OpenEXR or Radiance .hdr")
+        ->required();
+    add_parsed(*verb, "-o", parse_map_output, &options->output, "FILE",
+               "OpenEXR file to write; several exponents become parts named as n=16")
+        ->required();
+    add_parsed(*verb, "--exponents", parse_exponents, &options->exponents, "X,X,...",
+               "Phong exponents, from 0 to 1e6, one map each");
+    verb->add_flag("--lambert", options->lambert, "the diffuse lobe, which is exponent 1");
+    add_parsed(
+        *verb, "--method", parse_method, [](host::PrefilterMethod) {}, "NAME",
+        "exact (integrates over every texel for every texel), the default");
+    add_parsed(*verb, "--layout", parse_layout, &options->layout, "NAME",
+               "cube, the default, or latlong");
+    add_parsed(*verb, "--face", parse_count, &options->face, "N",
+               "texels of an edge of the cube map; default: what the lobe needs");
+    add_parsed(*verb, "--size", parse_size, &options->size, "WxH",
+               "size of the latlong map; default: what the lobe needs");
+    add_gpu_options(*verb, options->gpu);
+    verb->add_flag("--json", options->json, "print one JSON object about what was done");
+    verb->callback([options, &status] {
+        check_usage(*options);
+        status = prefilter_verb(*options);
+    });
+}
+
+} // namespace lobelia::cli

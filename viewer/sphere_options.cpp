@@ -1,0 +1,104 @@
+#include "sphere_options.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "numbers.h"
+#include "parsed_option.h"
+
+namespace lobelia::cli {
+
+namespace {
+
+using Colour = std::array<float, 3>;
+
+constexpr Colour DEFAULT_DIFFUSE{0.3f, 0.3f, 0.3f};
+constexpr Colour DEFAULT_SPECULAR{0.6f, 0.6f, 0.6f};
+
+Outcome<SphereMethod> parse_method(std::string_view text) {
+    for (const SphereMethod method : {SphereMethod::split_sum, SphereMethod::reference})
+        if (text == method_name(method)) return method;
+    return host::Failure{"\"" + std::string(text) +
+                         "\" is no method; there are split-sum and reference"};
+}
+
+Material material_of(const SphereOptions& options) {
+    const bool neither = !options.diffuse && !options.specular;
+    return {options.diffuse.value_or(neither ? DEFAULT_DIFFUSE : Colour{}),
+            options.specular.value_or(neither ? DEFAULT_SPECULAR : Colour{}), options.exponent};
+}
+
+void add_material(CLI::App& verb, SphereOptions& options) {
+    add_parsed(verb, "--kd", parse_colour, &options.diffuse, "V|R,G,B",
+               "diffuse reflectance; default 0.3, or 0 where only --ks is given");
+    add_parsed(verb, "--ks", parse_colour, &options.specular, "V|R,G,B",
+               "specular reflectance; default 0.6, or 0 where only --kd is given");
+    add_parsed(verb, "-n", parse_exponent, &options.exponent, "X",
+               "Phong exponent, from 0 to 1e6; default 64");
+    verb.add_flag("--allow-energy-gain", options.allow_energy_gain,
+                  "let kd + ks exceed 1, with a warning");
+}
+
+void add_camera(CLI::App& verb, SphereOptions& options) {
+    add_parsed(
+        verb, "--eye", parse_vector, &options.camera.eye, "x,y,z",
+        "where the camera is; default 0,0,4 (the sphere has radius 1 and lies at the origin)");
+    add_parsed(verb, "--target", parse_vector, &options.camera.target, "x,y,z",
+               "what it looks at; default 0,0,0");
+    add_parsed(verb, "--up", parse_vector, &options.camera.up, "x,y,z",
+               "what is up in the picture; default 0,1,0");
+    add_parsed(verb, "--fov", parse_number, &options.camera.vertical_field_of_view, "DEG",
+               "vertical field of view; default 30");
+    add_parsed(
+        verb, "--size", parse_size,
+        [&options](Size size) {
+            options.width = size.width;
+            options.height = size.height;
+        },
+        "WxH", "size of the picture; default 512x512");
+}
+
+void add_environment(CLI::App& verb, SphereOptions& options) {
+    add_parsed(verb, "--rotate", parse_number, &options.rotation, "DEG",
+               "turn the environment about +Y, counter-clockwise seen from above; default 0");
+    verb.add_flag("--no-background", options.no_background,
+                  "leave transparent black where the sphere is not");
+    add_parsed(verb, "--face", parse_count, &options.face, "N",
+               "texels of an edge of the environment's cube map; default: the next power of two "
+               "from a quarter of the panorama's width");
+}
+
+} // namespace
+
+void add_sphere_options(CLI::App& verb, SphereOptions& options) {
+    add_material(verb, options);
+    add_camera(verb, options);
+    add_environment(verb, options);
+    add_parsed(verb, "--method", parse_method, &options.method, "NAME",
+               "split-sum (prefiltered maps, the default) or reference (integrates over every "
+               "texel for every pixel: the ground truth)");
+}
+
+host::RenderSettings settings_of(const SphereOptions& options) {
+    // Whole turns change nothing, and would cost the radians their digits.
+    const double turn = std::fmod(double(options.rotation), 360.0);
+    return {.view = {.camera = options.camera,
+                     .material = material_of(options),
+                     .environment_rotation = float(turn * std::numbers::pi / 180.0),
+                     .background = !options.no_background,
+                     .width = options.width,
+                     .height = options.height},
+            .method = options.method};
+}
+
+const char* method_name(SphereMethod method) {
+    switch (method) {
+    case SphereMethod::split_sum:
+        return "split-sum";
+    case SphereMethod::reference:
+        return "reference";
+    }
+    return "";
+}
+
+} // namespace lobelia::cli
