@@ -47,11 +47,22 @@ Outcome<Done> check(const RenderOptions& options, const Material& material) {
     return check_outputs(options.outputs);
 }
 
+// With a background every pixel is covered by something; its alpha says only how much by the
+// sphere.
+host::Image made_opaque(host::Image picture) {
+    for (std::size_t i = 3; i < picture.texels.size(); i += 4) picture.texels[i] = 1.0f;
+    return picture;
+}
+
 Outcome<Done> write_picture(const OutputFile& file, const host::Image& picture,
-                            const host::Metadata& metadata, float exposure) {
-    if (file.kind == FileKind::png) return host::write_png(file.path, picture, exposure);
-    const host::Part part{.image = &picture};
-    return host::write_exr(file.path, {&part, 1}, host::Content::picture, metadata);
+                            const host::RenderSettings& settings, float exposure) {
+    if (file.kind == FileKind::exr) {
+        const host::Part part{.image = &picture};
+        return host::write_exr(file.path, {&part, 1}, host::Content::picture,
+                               metadata_of(settings));
+    }
+    return settings.view.background ? host::write_png(file.path, made_opaque(picture), exposure)
+                                    : host::write_png(file.path, picture, exposure);
 }
 
 Outcome<Report> render(const RenderOptions& options) {
@@ -72,9 +83,8 @@ Outcome<Report> render(const RenderOptions& options) {
     if (!rendering) return rendering.error();
 
     progress.begin("writing");
-    const host::Metadata metadata = metadata_of(settings);
     const auto written = write_outputs(options.outputs, [&](const OutputFile& file) {
-        return write_picture(file, rendering->picture, metadata, options.exposure);
+        return write_picture(file, rendering->picture, settings, options.exposure);
     });
     if (!written) return written.error();
 
