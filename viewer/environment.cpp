@@ -36,6 +36,9 @@ Outcome<host::GpuEnvironment> upload_source(host::Gpu& gpu,
                                             const std::optional<host::Environment>& source,
                                             std::uint32_t face, ProgressLine& progress) {
     progress.begin("making the environment's cube map");
+    if (face != 0 && source && source->image.layout == host::Layout::cube)
+        return host::Failure{"--face is for panoramas; this environment is a cube map of " +
+                             std::to_string(source->image.width) + " texels, leave it out"};
     return source ? host::upload_environment(gpu, source->image, face)
                   : host::make_builtin_environment(gpu, face);
 }

@@ -84,7 +84,7 @@ std::string name_of(const testing::TestParamInfo<BadInput>& info) {
     return info.param.name;
 }
 
-class HostileFileTest : public CliTest {
+class StrangersFileTest : public CliTest {
 protected:
     // Either it is refused and nothing is left, or it is a picture; never anything else.
     void expect_picture_or_refusal(const std::string& path) const {
@@ -109,7 +109,7 @@ TEST_P(BadInputTest, IsRefusedInOneLineAndLeavesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Cli, BadInputTest, testing::ValuesIn(BAD_INPUTS), name_of);
 
-TEST_F(HostileFileTest, IsRefusedOrShown) {
+TEST_F(StrangersFileTest, IsRefusedOrShown) {
     std::size_t count = 0;
     for (const auto& file :
          std::filesystem::directory_iterator(LOBELIA_TESTS_FOLDER "/../corpus")) {
@@ -119,7 +119,7 @@ TEST_F(HostileFileTest, IsRefusedOrShown) {
     EXPECT_GT(count, 0u);
 }
 
-TEST_F(HostileFileTest, IsRefusedWhereverItIsCut) {
+TEST_F(StrangersFileTest, IsRefusedWhereverItIsCut) {
     const std::string whole = read_bytes(write_panorama("whole.exr"));
     std::filesystem::remove(folder / "whole.exr");
     TemporaryFolder inputs;
@@ -131,7 +131,7 @@ TEST_F(HostileFileTest, IsRefusedWhereverItIsCut) {
     }
 }
 
-TEST_F(HostileFileTest, CannotWriteOverTheTerminalThroughItsName) {
+TEST_F(StrangersFileTest, CannotWriteOverTheTerminalThroughItsName) {
     const ProgramResult result = run({"render", "two\nlines\x1b[2J.exr"});
     expect_refused(result, 1, "two?lines?[2J.exr");
 }

@@ -198,6 +198,13 @@ TEST_F(PrefilterVerb, WritesACubeMap) {
     }
 }
 
+TEST_F(PrefilterVerb, WritesACubeMapThatRenderTakesAsItIs) {
+    const std::string panorama = write_panorama("sky.exr");
+    run_well({"prefilter", panorama, "--lambert", "--face", "4", "-o", "map.exr"});
+    run_well({"render", "map.exr", "--size", "8x8", "-o", "a.exr"});
+    expect_refused(run({"render", "map.exr", "--face", "8", "-o", "b.exr"}), 1, "--face");
+}
+
 TEST_F(PrefilterVerb, WritesAPanoramaOfTheSizeAskedFor) {
     const std::string panorama = write_panorama("sky.exr");
     run_well({"prefilter", panorama, "--method", "exact", "--lambert", "--layout", "latlong",
