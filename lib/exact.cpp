@@ -30,7 +30,9 @@ struct Params { // as in exact.comp
     float block_cull;
     std::uint32_t columns;
     std::uint32_t rows;
-    std::uint32_t repeat;
+    std::uint32_t repeat_columns;
+    std::uint32_t repeat_rows;
+    std::uint32_t parts;
     std::uint32_t clipped;
     std::uint32_t first_row;
     std::uint32_t row_count;
@@ -63,8 +65,10 @@ struct Schedule {
 Schedule schedule(const ExactGrid& grid, const ExactSettings& settings) {
     const std::uint32_t all_rows = grid.rows * grid.layers;
     const std::uint32_t blocks = (grid.columns + TEAM - 1) / TEAM;
+    const std::uint32_t divided =
+        grid.order == 1 || settings.clipped ? QUERIES * grid.parts * grid.parts : 0;
     const std::uint32_t per_row =
-        1 + blocks * (1 + grid.order + grid.order * grid.order + 4 * QUERIES);
+        1 + blocks * (1 + grid.order + grid.order * grid.order + 4 * QUERIES + divided);
     Schedule cut;
     cut.rows_per_step = std::clamp(ITERATIONS_PER_INVOCATION / per_row, 1u, all_rows);
     cut.row_steps = (all_rows + cut.rows_per_step - 1) / cut.rows_per_step;
@@ -176,7 +180,9 @@ Params params_for(const ExactGrid& grid, const ExactSettings& settings) {
             .block_cull = cosine_beyond(block),
             .columns = grid.columns,
             .rows = grid.rows,
-            .repeat = grid.repeat,
+            .repeat_columns = grid.repeat_columns,
+            .repeat_rows = grid.repeat_rows,
+            .parts = grid.parts,
             .clipped = settings.clipped,
             .cell_width = grid.cell_width,
             .cell_height = grid.cell_height};

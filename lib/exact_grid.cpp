@@ -26,31 +26,53 @@ std::span<const Rule> rule(std::uint32_t order) {
 }
 
 // Below this exponent the horizon's cut through a texel matters more than the lobe's curvature:
-// one node a cell, whose cut is integrated in closed form.
+// one node a cell, to second order.
 constexpr float CUT_EXPONENT = 4.0f;
+
+// Radians that a cell spans at most, and into how many parts a side a horizon's cut then divides
+// it; smaller cells need fewer. A cut is taken as straight and the solid angle as even across a
+// part of size p, as if the horizon lay p^2 / 6 beside its place. Below CUT_EXPONENT that
+// is 2.5e-7, as much as 32 bits leave of a direction.
+constexpr double LARGEST_CELL_BELOW = 2 * PI / 512;
+constexpr double MOST_PARTS_BELOW = 10;
+constexpr double LARGEST_CELL = 0.035;
+constexpr double MOST_PARTS = 7;
 
 // A lobe is as good as 0 where it has fallen below 2^-100 of its peak.
 constexpr double LAST_BIT = 100.0;
 
-// Order and number of cells for texels of at most `texel` radians. A rule of m nodes leaves a
+struct CellLimit {
+    double size;  // radians
+    double parts; // a side of a cell that large, if a horizon cuts it
+};
+
+// Order and size of the cells for texels of at most `texel` radians. A rule of m nodes leaves a
 // relative error of c_m (n h^2)^m; the limits keep it below 1e-4 where the lobe is down to 1e-6
-// of its peak, with c_1 = 1.2, c_2 = 0.18 and c_3 = 0.01 there.
-void choose_resolution(ExactGrid& grid, float exponent, double texel) {
-    const double sharpness = double(exponent) * texel * texel;
-    double largest_cell = texel;
-    if (exponent < CUT_EXPONENT) {
-        grid.order = 1;
-        largest_cell = 2 * PI / 512; // the cut is taken as straight
-    } else if (sharpness <= 1e-4) {
-        grid.order = 1;
-    } else if (sharpness <= 0.024) {
-        grid.order = 2;
-    } else {
-        grid.order = 3;
-        largest_cell = 0.46 / std::sqrt(double(exponent));
-    }
-    grid.repeat = std::uint32_t(std::ceil(texel / largest_cell * (1 - 1e-9)));
-    grid.reach = exponent > 0 ? std::acos(std::exp2(-LAST_BIT / double(exponent))) : PI / 2;
+// of its peak, with c_1 = 1.2, c_2 = 0.18 and c_3 = 0.01 there. At the lobe's own horizon three
+// nodes leave about h^(n + 2) / 100, below 1e-10 for LARGEST_CELL.
+CellLimit choose_rule(ExactGrid& grid, double exponent, double texel) {
+    grid.order = 1;
+    grid.reach = exponent > 0 ? std::acos(std::exp2(-LAST_BIT / exponent)) : PI / 2;
+    if (exponent < CUT_EXPONENT) return {LARGEST_CELL_BELOW, MOST_PARTS_BELOW};
+    const double sharpness = exponent * texel * texel;
+    grid.order = sharpness <= 1e-4 ? 1 : sharpness <= 0.024 ? 2 : 3;
+    return {std::min(0.46 / std::sqrt(exponent), LARGEST_CELL), MOST_PARTS};
+}
+
+// Cuts texels of `across` times `down` radians into cells; `grid` counts texels before and cells
+// after.
+void cut_texels(ExactGrid& grid, const CellLimit& limit, double across, double down) {
+    const auto count = [&](double side) {
+        return std::uint32_t(std::ceil(side / limit.size * (1 - 1e-9)));
+    };
+    grid.repeat_columns = count(across);
+    grid.repeat_rows = count(down);
+    grid.columns *= grid.repeat_columns;
+    grid.rows *= grid.repeat_rows;
+    grid.cell_width = float(across / grid.repeat_columns);
+    grid.cell_height = float(down / grid.repeat_rows);
+    const double largest = double(std::max(grid.cell_width, grid.cell_height));
+    grid.parts = std::uint32_t(std::ceil(limit.parts * largest / limit.size * (1 - 1e-6)));
 }
 
 // Longitudes and latitudes; a row's shares add up to its exact solid angle per radian of longitude.
@@ -88,20 +110,17 @@ void add_cube_nodes(const ExactGrid& grid, std::vector<ExactNode>& nodes) {
 } // namespace
 
 ExactGrid panorama_grid(std::uint32_t width, std::uint32_t height, float exponent) {
-    ExactGrid grid{.layers = 1};
-    choose_resolution(grid, exponent, std::max(2 * PI / width, PI / height));
-    grid.columns = width * grid.repeat;
-    grid.rows = height * grid.repeat;
-    grid.cell_width = float(2 * PI / grid.columns);
-    grid.cell_height = float(PI / grid.rows);
+    ExactGrid grid{.columns = width, .rows = height, .layers = 1};
+    const double across = 2 * PI / width;
+    const double down = PI / height;
+    cut_texels(grid, choose_rule(grid, double(exponent), std::max(across, down)), across, down);
     return grid;
 }
 
 ExactGrid cube_grid(std::uint32_t size, float exponent) {
-    ExactGrid grid{.layers = 6};
-    choose_resolution(grid, exponent, 2.0 / size);
-    grid.columns = grid.rows = size * grid.repeat;
-    grid.cell_width = grid.cell_height = 2.0f / float(grid.columns);
+    ExactGrid grid{.columns = size, .rows = size, .layers = 6};
+    const double side = 2.0 / size;
+    cut_texels(grid, choose_rule(grid, double(exponent), side), side, side);
     return grid;
 }
 

@@ -7,14 +7,16 @@ namespace lobelia {
 
 /// The cells and nodes over which exact.comp integrates one environment for one exponent.
 struct ExactGrid {
-    std::uint32_t columns; // cells
-    std::uint32_t rows;    // cells of one layer
-    std::uint32_t layers;  // 1, or the 6 faces of a cube
-    std::uint32_t repeat;  // cells a side of one texel
-    std::uint32_t order;   // nodes a side of one cell
-    float cell_width;      // longitude or u
-    float cell_height;     // latitude or v
-    double reach;          // radians from its axis at which the lobe ends
+    std::uint32_t columns;        // cells
+    std::uint32_t rows;           // cells of one layer
+    std::uint32_t layers;         // 1, or the 6 faces of a cube
+    std::uint32_t repeat_columns; // cells in the width of one texel
+    std::uint32_t repeat_rows;    // cells in its height
+    std::uint32_t order;          // nodes a side of one cell
+    std::uint32_t parts;          // a side, of a cell that a horizon cuts
+    float cell_width;             // longitude or u
+    float cell_height;            // latitude or v
+    double reach;                 // radians from its axis at which the lobe ends
 };
 
 struct ExactNode { // as in exact.comp

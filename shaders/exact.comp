@@ -1,7 +1,8 @@
 // Averages of an environment over Phong lobes, by summing every texel. A texel is constant radiance
 // over its own solid angle, and the lobe is integrated over the texel's area: on a grid of cells (a
-// texel, or a part of one where the lobe is narrow), each with a Gauss-Legendre rule. A workgroup
-// answers a few queries; its invocations take the cells of a row in turns.
+// texel, or a part of one where the lobe is narrow), each with a Gauss-Legendre rule. Cells that a
+// horizon cuts are divided, and the cut is integrated in closed form. A workgroup answers a few
+// queries; its invocations take the cells of a row in turns.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
@@ -14,6 +15,9 @@ layout(local_size_x = 64) in;
 
 layout(constant_id = 0) const bool CUBE = false; // the source: a cube map, or a panorama
 layout(constant_id = 1) const int ORDER = 1;     // nodes a side of a cell
+
+// Where a cell's first node lies, in cells from its middle.
+const float FIRST_NODE = ORDER == 1 ? 0.0 : ORDER == 2 ? -0.28867513 : -0.38729833;
 
 struct Query {
     vec4 axis;
@@ -34,7 +38,9 @@ layout(push_constant) uniform Params {
     float block_cull; // the same, widened by half a block of TEAM cells
     uint columns;     // cells
     uint rows;        // cells of one layer
-    uint repeat;      // cells a side of one texel
+    uint repeat_columns; // cells in the width of one texel
+    uint repeat_rows;    // cells in its height
+    uint parts;          // a side, of a cell that a horizon cuts
     uint clipped;     // 1: the weight has the factor max(0, w.normal)
     uint first_row;   // of this dispatch, counted through all layers
     uint row_count;
@@ -62,75 +68,183 @@ Node node_at(uint layer, vec4 column, vec4 row) {
     return Node(vec3(column.x * row.y, row.x, column.y * row.y), column.z * row.z);
 }
 
-// How much dot(direction, axis) changes across a cell: along the columns and along the rows.
-vec2 slopes(uint layer, vec4 column, vec4 row, vec3 direction, vec3 axis) {
+// A cell, or one of the equal parts it is divided into: its middle, what the direction changes by
+// across it along the columns and along the rows, and its solid angle. `bend` is of second order:
+// the direction's second derivatives, and twice its first ones times those of the solid angle.
+struct Part {
+    vec3 direction;
+    vec3 across;
+    vec3 down;
+    vec3 bend;
+    float solid_angle;
+};
+
+// The coordinate at `offset` cells of size `size` from the cell's middle.
+vec2 coordinate(vec4 first_node, float offset, float size) {
+    offset -= FIRST_NODE;
+    if (CUBE) return vec2(first_node.x + offset * size, 0.0);
+    float angle = offset * size; // at most 0.3; longitude and latitude fall as it grows
+    float q = angle * angle;
+    float sine = angle * (1.0 - q / 6.0 * (1.0 - q / 20.0));
+    float cosine = 1.0 - q / 2.0 * (1.0 - q / 12.0);
+    return vec2(first_node.x * cosine - first_node.y * sine,
+                first_node.y * cosine + first_node.x * sine);
+}
+
+// The part in the middle of the offset `at`, as large as 1 / `count` of the cell each way.
+Part part_of(uint layer, vec4 first_column, vec4 first_row, vec2 at, float count) {
+    vec2 column = coordinate(first_column, at.x, cell_width);
+    vec2 row = coordinate(first_row, at.y, cell_height);
+    vec2 size = vec2(cell_width, cell_height) / count;
+    Part part;
     if (CUBE) {
         float shrink = inversesqrt(1.0 + column.x * column.x + row.x * row.x);
         vec3 centre = cube_direction(layer, 0.0, 0.0);
-        vec3 across = cube_direction(layer, 1.0, 0.0) - centre;
-        vec3 down = cube_direction(layer, 0.0, 1.0) - centre;
-        float along = dot(direction, axis);
-        return shrink * abs(vec2(dot(across, axis) - dot(across, direction) * along,
-                                 dot(down, axis) - dot(down, direction) * along)) *
-               vec2(cell_width, cell_height);
+        vec3 right = cube_direction(layer, 1.0, 0.0) - centre;
+        vec3 below = cube_direction(layer, 0.0, 1.0) - centre;
+        vec2 lean = shrink * vec2(column.x, row.x);
+        part.direction = shrink * (centre + column.x * right + row.x * below);
+        part.across = size.x * shrink * (right - lean.x * part.direction);
+        part.down = size.y * shrink * (below - lean.y * part.direction);
+        part.bend = -8.0 * shrink * (lean.x * size.x * part.across + lean.y * size.y * part.down) -
+                    (dot(part.across, part.across) + dot(part.down, part.down)) * part.direction;
+        part.solid_angle = size.x * size.y * shrink * shrink * shrink;
+    } else {
+        part.direction = vec3(column.x * row.y, row.x, column.y * row.y);
+        part.across = size.x * row.y * vec3(-column.y, 0.0, column.x);
+        part.down = size.y * vec3(row.x * column.x, -row.y, row.x * column.y);
+        part.bend = vec3(0.0, size.x * size.x * row.x, 0.0) - dot(size, size) * part.direction +
+                    2.0 * size.y * row.x / row.y * part.down;
+        part.solid_angle = size.x * size.y * row.y;
     }
-    float level = column.x * axis.x + column.y * axis.z;
-    return abs(vec2(row.y * (column.y * axis.x - column.x * axis.z),
-                    row.y * axis.y - row.x * level)) *
-           vec2(cell_width, cell_height);
+    return part;
 }
 
-// max(0, cosine)^n averaged over a cell near the plane cosine = 0, with the cosine taken as linear
-// across it: the second antiderivative at the cell's four corners. Slopes too different to divide by
-// are brought within a factor of 20, which moves the average in second order.
-float cut_power(float cosine, vec2 slope, float n) {
-    float steep = max(slope.x, slope.y);
-    float gentle = max(min(slope.x, slope.y), 0.05 * steep);
-    vec4 corner = vec4(cosine) + 0.5 * vec4(steep + gentle, steep - gentle, gentle - steep,
-                                            -steep - gentle);
+// How much dot(direction, axis) changes across a part.
+vec2 slopes(Part part, vec3 axis) { return vec2(dot(part.across, axis), dot(part.down, axis)); }
+
+// Whether the plane dot(direction, axis) = 0 cuts a part or is too near for a series.
+bool is_near_horizon(Part part, vec3 axis) {
+    vec2 slope = abs(slopes(part, axis));
+    return abs(dot(part.direction, axis)) < 1.5 * (slope.x + slope.y);
+}
+
+// max(0, x)^exponent for each x.
+vec4 positive_power(vec4 x, float exponent) {
     vec4 power = vec4(0.0);
     for (int i = 0; i < 4; ++i) {
-        if (corner[i] > 0.0) power[i] = exp2((n + 2.0) * log2(corner[i]));
+        if (x[i] > 0.0) power[i] = exp2(exponent * log2(x[i]));
     }
-    float difference = power.x - power.y - power.z + power.w;
-    return max(difference, 0.0) / ((n + 1.0) * (n + 2.0) * steep * gentle);
+    return power;
 }
 
-// max(0, dot(direction, axis))^n averaged over a cell with one node: near the horizon as above, to
-// second order elsewhere.
-float cell_power(uint layer, vec4 column, vec4 row, vec3 direction, vec3 axis, float n) {
-    float chord = half_square_distance(direction, axis);
-    float cosine = 1.0 - chord;
-    float power = chord_power(chord, n);
-    if (abs(cosine) > 8.0 * (cell_width + cell_height)) return power;
-    vec2 slope = slopes(layer, column, row, direction, axis);
-    if (abs(cosine) < 1.5 * (slope.x + slope.y)) return cut_power(cosine, slope, n);
-    return power * (1.0 + n * (n - 1.0) / 24.0 * dot(slope, slope) / (cosine * cosine));
+// max(0, cosine)^n averaged over a part near the plane cosine = 0, with the cosine taken as linear
+// across it: the second antiderivative at its four corners, or, where one slope is too gentle to
+// divide by, the first one at the ends of two lines. In units of the largest cosine, so that no
+// exponent overflows.
+float cut_power(float cosine, vec2 slope, float n) {
+    float top = cosine + 0.5 * (slope.x + slope.y);
+    if (top <= 0.0) return 0.0;
+    float steep = max(slope.x, slope.y) / top;
+    float gentle = min(slope.x, slope.y) / top;
+    float average;
+    if (gentle < 0.05 * steep) {
+        vec2 line = vec2(-0.28867513, 0.28867513) * gentle;
+        vec4 ends = cosine / top + vec4(line + 0.5 * steep, line - 0.5 * steep);
+        vec4 power = positive_power(ends, n + 1.0);
+        average = 0.5 * (power.x + power.y - power.z - power.w) / ((n + 1.0) * steep);
+    } else {
+        vec4 corners = vec4(1.0, 1.0 - gentle, 1.0 - steep, 1.0 - steep - gentle);
+        vec4 power = positive_power(corners, n + 2.0);
+        average = (power.x - power.y - power.z + power.w) /
+                  ((n + 1.0) * (n + 2.0) * steep * gentle);
+    }
+    return max(average, 0.0) * exp2(n * log2(top));
 }
 
-float weight(uint layer, vec4 column, vec4 row, Node node, Query query) {
-    if (ORDER == 1) {
-        float value = cell_power(layer, column, row, node.direction, query.axis.xyz, exponent);
-        if (clipped == 0u) return value;
-        return value * cell_power(layer, column, row, node.direction, query.normal.xyz, 1.0);
+// max(0, dot(direction, axis))^n averaged over a part: near the horizon as above, to second order
+// elsewhere.
+float part_power(Part part, vec3 axis, float n) {
+    float cosine = dot(part.direction, axis);
+    vec2 slope = slopes(part, axis);
+    if (is_near_horizon(part, axis)) return cut_power(cosine, abs(slope), n);
+    if (cosine < 0.0) return 0.0;
+    float second = (n - 1.0) * dot(slope, slope) / (cosine * cosine) + dot(part.bend, axis) / cosine;
+    return chord_power(half_square_distance(part.direction, axis), n) * (1.0 + n / 24.0 * second);
+}
+
+float part_weight(Part part, Query query) {
+    float weight = part.solid_angle * part_power(part, query.axis.xyz, exponent);
+    if (clipped == 0u) return weight;
+    weight *= part_power(part, query.normal.xyz, 1.0);
+    if (is_near_horizon(part, query.axis.xyz) || is_near_horizon(part, query.normal.xyz))
+        return weight;
+    // the two powers change together
+    return weight * (1.0 + exponent / 12.0 *
+                               dot(slopes(part, query.axis.xyz), slopes(part, query.normal.xyz)) /
+                               (dot(part.direction, query.axis.xyz) *
+                                dot(part.direction, query.normal.xyz)));
+}
+
+// Cells near a horizon that matters are divided. A lobe that needs several nodes a cell is as good
+// as 0 at its own.
+bool is_divided(Part cell, Query query) {
+    if (ORDER == 1 && is_near_horizon(cell, query.axis.xyz)) return true;
+    return clipped == 1u && is_near_horizon(cell, query.normal.xyz);
+}
+
+float divided_weight(uint layer, vec4 first_column, vec4 first_row, Query query) {
+    float weight = 0.0;
+    for (uint i = 0u; i < parts * parts; ++i) {
+        vec2 at = (vec2(i % parts, i / parts) + 0.5) / float(parts) - 0.5;
+        weight += part_weight(part_of(layer, first_column, first_row, at, float(parts)), query);
     }
-    float value = chord_power(half_square_distance(node.direction, query.axis.xyz), exponent);
-    return clipped == 0u ? value : value * max(dot(node.direction, query.normal.xyz), 0.0);
+    return weight;
+}
+
+float node_weight(Node node, Query query) {
+    float weight = node.solid_angle *
+                   chord_power(half_square_distance(node.direction, query.axis.xyz), exponent);
+    return clipped == 0u ? weight : weight * max(dot(node.direction, query.normal.xyz), 0.0);
 }
 
 // The largest dot(direction, axis) of a row, or a bound above it.
 float row_bound(uint layer, vec4 row, vec3 axis) {
-    if (CUBE) {
-        vec3 at_centre = cube_direction(layer, 0.0, row.x);
-        vec3 across = cube_direction(layer, 1.0, row.x) - at_centre;
-        float ahead = dot(at_centre, axis) * inversesqrt(1.0 + row.x * row.x);
-        return length(vec2(ahead, dot(across, axis)));
-    }
-    return row.x * axis.y + row.y * length(axis.xz);
+    if (!CUBE) return row.x * axis.y + row.y * length(axis.xz);
+    vec3 at_centre = cube_direction(layer, 0.0, row.x);
+    float ahead = dot(at_centre, axis);
+    float across = abs(dot(cube_direction(layer, 1.0, row.x) - at_centre, axis));
+    float square = 1.0 + row.x * row.x;
+    if (across * square < ahead) return length(vec2(ahead * inversesqrt(square), across));
+    return (ahead + across) * inversesqrt(square + 1.0); // largest at an end
 }
 
 Query asked[QUERIES];
 vec4 sums[QUERIES];
+
+// The integral of each query's weight over one cell.
+void cell_weights(uint layer, uint row, uint column, out float weights[QUERIES]) {
+    vec4 first_column = column_node(column, 0);
+    vec4 first_row = row_node(row, 0);
+    Part cell = part_of(layer, first_column, first_row, vec2(0.0), 1.0);
+    bool divided[QUERIES];
+    for (int q = 0; q < QUERIES; ++q) {
+        divided[q] = is_divided(cell, asked[q]);
+        weights[q] = 0.0;
+        if (divided[q]) weights[q] = divided_weight(layer, first_column, first_row, asked[q]);
+        if (ORDER == 1 && !divided[q]) weights[q] = part_weight(cell, asked[q]);
+    }
+    if (ORDER == 1) return;
+    for (int j = 0; j < ORDER; ++j) {
+        vec4 down = row_node(row, j);
+        for (int i = 0; i < ORDER; ++i) {
+            Node node = node_at(layer, column_node(column, i), down);
+            for (int q = 0; q < QUERIES; ++q) {
+                if (!divided[q]) weights[q] += node_weight(node, asked[q]);
+            }
+        }
+    }
+}
 
 // Adds what the invocation's cells of one row give to each query.
 void add_row(uint layer, uint row, uint lane) {
@@ -146,18 +260,8 @@ void add_row(uint layer, uint row, uint lane) {
         if (nearest < block_cull || column >= columns) continue;
 
         float weights[QUERIES];
-        for (int q = 0; q < QUERIES; ++q) weights[q] = 0.0;
-        for (int j = 0; j < ORDER; ++j) {
-            vec4 down = row_node(row, j);
-            for (int i = 0; i < ORDER; ++i) {
-                vec4 across = column_node(column, i);
-                Node node = node_at(layer, across, down);
-                for (int q = 0; q < QUERIES; ++q) {
-                    weights[q] += node.solid_angle * weight(layer, across, down, node, asked[q]);
-                }
-            }
-        }
-        vec3 light = texelFetch(source, ivec3(column / repeat, row / repeat, layer), 0).rgb;
+        cell_weights(layer, row, column, weights);
+        vec3 light = texelFetch(source, ivec3(column / repeat_columns, row / repeat_rows, layer), 0).rgb;
         for (int q = 0; q < QUERIES; ++q) row_sums[q] += scale * weights[q] * vec4(light, 1.0);
     }
     for (int q = 0; q < QUERIES; ++q) sums[q] += row_sums[q];
