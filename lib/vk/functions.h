@@ -15,6 +15,7 @@
     X(vkCmdSetScissor)                                                                             \
     X(vkCmdSetViewport)                                                                            \
     X(vkCmdUpdateBuffer)                                                                           \
+    X(vkCreateBufferView)                                                                          \
     X(vkCreateComputePipelines)                                                                    \
     X(vkCreateDescriptorPool)                                                                      \
     X(vkCreateDescriptorSetLayout)                                                                 \
@@ -23,6 +24,7 @@
     X(vkCreatePipelineLayout)                                                                      \
     X(vkCreateSampler)                                                                             \
     X(vkCreateShaderModule)                                                                        \
+    X(vkDestroyBufferView)                                                                         \
     X(vkDestroyDescriptorPool)                                                                     \
     X(vkDestroyDescriptorSetLayout)                                                                \
     X(vkDestroyImageView)                                                                          \

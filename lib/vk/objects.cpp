@@ -89,7 +89,8 @@ void write_descriptor_set(const Context& context, VkDescriptorSet set,
                           .descriptorCount = 1,
                           .descriptorType = bindings[i],
                           .pImageInfo = &resources[i].image,
-                          .pBufferInfo = &resources[i].buffer});
+                          .pBufferInfo = &resources[i].buffer,
+                          .pTexelBufferView = &resources[i].texels});
     context.call.vkUpdateDescriptorSets(context.device.handle, std::uint32_t(writes.size()),
                                         writes.data(), 0, nullptr);
 }

@@ -12,6 +12,7 @@ namespace lobelia::vk {
 template <class Handle, auto destroy>
 using Object = Unique<Context, Handle, destroy>;
 
+using BufferView = Object<VkBufferView, &Functions::vkDestroyBufferView>;
 using DescriptorPool = Object<VkDescriptorPool, &Functions::vkDestroyDescriptorPool>;
 using ImageView = Object<VkImageView, &Functions::vkDestroyImageView>;
 using Pipeline = Object<VkPipeline, &Functions::vkDestroyPipeline>;
@@ -45,10 +46,12 @@ Result<Interface> make_interface(const Context& context, VkShaderStageFlags stag
                                  std::span<const VkDescriptorType> bindings,
                                  std::uint32_t push_constant_size);
 
-/// What one binding of a descriptor set refers to: an image (view, sampler, layout) or a buffer.
+/// What one binding of a descriptor set refers to: an image (view, sampler, layout), a buffer, or a
+/// buffer read as texels.
 struct Resource {
     VkDescriptorImageInfo image{};
     VkDescriptorBufferInfo buffer{};
+    VkBufferView texels = VK_NULL_HANDLE;
 };
 inline Resource storage_image(VkImageView view) {
     return {.image = {VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL}};
@@ -59,6 +62,10 @@ inline Resource sampled_image(VkImageView view, VkSampler sampler) {
 inline Resource buffer_range(VkBuffer buffer, VkDeviceSize offset = 0,
                              VkDeviceSize size = VK_WHOLE_SIZE) {
     return {.buffer = {buffer, offset, size}};
+}
+
+inline Resource texel_buffer(VkBufferView view) {
+    return {.texels = view};
 }
 
 /// A pool with `sets` descriptor sets of layout `layout`, whose binding `i` has type `bindings[i]`.

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include <lobelia/device.h>
+#include <lobelia/image.h>
+#include <lobelia/result.h>
+
+namespace lobelia {
+
+/// How exact the maps are and what they cost. docs/accuracy.md has the figures and the command that
+/// measures them.
+enum class Quality : std::uint32_t {
+    fast,   // one bilinear fetch
+    normal, // four bilinear fetches (cubic B-spline)
+    high,   // as normal, on a source of twice the size with wider kernels
+};
+
+/// How a map is meant to be read: the blur of that filter is left out of the map.
+enum class MapFilter : std::uint32_t { bilinear, spline };
+
+/// One map to make: a cube image of one level, format R16G16B16A16_SFLOAT, STORAGE and SAMPLED usage.
+struct PrefilteredMap {
+    float exponent = 1.0f;
+    std::uint32_t size = 0; // edge of a face, texels
+    MapFilter filter = MapFilter::bilinear;
+};
+
+struct PrefilterRequest {
+    std::span<const float> exponents; // each in [0, 1e6]: a map of P_n at exactly that exponent
+    bool lambert = false;             // one map more: P_1 for the diffuse lobe, read bilinearly
+    Quality quality = Quality::normal;
+    std::uint32_t source_size = 0; // edge of the source's faces, a power of two from 16 to 4096
+};
+
+/// The passes and memory that a list of maps needs. Depends on the request alone, so it can be made
+/// before there is a device.
+class PrefilterPlan {
+public:
+    struct State;
+    static Result<PrefilterPlan> make(const PrefilterRequest& request);
+    explicit PrefilterPlan(std::shared_ptr<const State> state) noexcept;
+
+    /// What to create: one entry per exponent in the order of the request, then Lambert.
+    std::span<const PrefilteredMap> maps() const noexcept;
+
+    /// Bytes of the scratch buffer: STORAGE_BUFFER, UNIFORM_TEXEL_BUFFER usage. Free again when the
+    /// recorded commands have run.
+    VkDeviceSize scratch_size() const noexcept;
+
+    /// Bytes of the state buffer, STORAGE_BUFFER usage: the maps' scale and suns (PrefilterState of
+    /// lobelia/suns.glsl), to be kept as long as the maps.
+    VkDeviceSize state_size() const noexcept;
+
+    /// Number of passes; PrefilterJob::record() takes any range of them.
+    std::uint32_t pass_count() const noexcept;
+    const char* pass_name(std::uint32_t pass) const noexcept;
+
+    const State& state() const noexcept { return *state_; }
+
+private:
+    std::shared_ptr<const State> state_;
+};
+
+/// A source, maps and buffers bound for recording. Made by Prefilter::bind.
+class PrefilterJob {
+public:
+    struct State;
+    explicit PrefilterJob(std::unique_ptr<State> state) noexcept;
+    PrefilterJob(PrefilterJob&&) noexcept;
+    PrefilterJob& operator=(PrefilterJob&&) noexcept;
+    ~PrefilterJob();
+
+    /// Records passes [first, first + count) of the plan, in order and once each; they may be spread
+    /// over command buffers submitted in order, with the same bits. Never allocates, submits or waits.
+    ///
+    /// On entry to pass 0 the source is in SHADER_READ_ONLY_OPTIMAL, visible to compute shaders; the
+    /// maps' content is discarded. After the last pass the maps are in SHADER_READ_ONLY_OPTIMAL and
+    /// with the state buffer visible to fragment and compute shaders.
+    void record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count) const noexcept;
+
+private:
+    std::unique_ptr<State> state_;
+};
+
+/// Blurs a cube map with Phong lobes: suns taken out, a chain of positive zonal kernels matched to the
+/// lobes' spectrum, direct sums for low exponents.
+class Prefilter {
+public:
+    static Result<Prefilter> create(const Device& device);
+    Prefilter(Prefilter&&) noexcept;
+    Prefilter& operator=(Prefilter&&) noexcept;
+    ~Prefilter();
+
+    /// Makes views and descriptors. `maps` are what plan.maps() says, in its order. All handles must
+    /// outlive the job's last use on the device.
+    Result<PrefilterJob> bind(const PrefilterPlan& plan, const CubeMap& source,
+                              std::span<const CubeMap> maps, VkBuffer scratch, VkBuffer state) const;
+
+    struct State;
+
+private:
+    explicit Prefilter(std::shared_ptr<State> state) noexcept;
+    std::shared_ptr<State> state_;
+};
+
+} // namespace lobelia

@@ -1,0 +1,409 @@
+#include <lobelia/prefilter.h>
+
+#include <algorithm>
+#include <array>
+
+#include "prefilter_plan.h"
+#include "vk/compute_pass.h"
+#include "vk/guard.h"
+
+namespace lobelia {
+
+namespace {
+
+constexpr std::uint32_t STATISTICS_SPIRV[] = {
+#include "statistics.comp.inc"
+};
+constexpr std::uint32_t SUNS_SPIRV[] = {
+#include "suns.comp.inc"
+};
+constexpr std::uint32_t PREPARE_SPIRV[] = {
+#include "prepare.comp.inc"
+};
+constexpr std::uint32_t HALVE_SPIRV[] = {
+#include "halve.comp.inc"
+};
+constexpr std::uint32_t BLUR_SPIRV[] = {
+#include "blur.comp.inc"
+};
+constexpr std::uint32_t PROJECT_SPIRV[] = {
+#include "project.comp.inc"
+};
+constexpr std::uint32_t SUM_SPIRV[] = {
+#include "sum.comp.inc"
+};
+constexpr std::uint32_t EXPAND_SPIRV[] = {
+#include "expand.comp.inc"
+};
+constexpr std::uint32_t BROAD_SPIRV[] = {
+#include "broad.comp.inc"
+};
+
+constexpr VkDescriptorType IMAGE = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+constexpr VkDescriptorType BUFFER = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+constexpr VkDescriptorType TEXELS = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+constexpr VkDescriptorType MAP = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+
+constexpr VkDescriptorType STATISTICS_BINDINGS[] = {IMAGE, BUFFER, BUFFER}; // source, tiles, state
+constexpr VkDescriptorType PREPARE_BINDINGS[] = {IMAGE, BUFFER, BUFFER};    // source, state, level
+constexpr VkDescriptorType HALVE_BINDINGS[] = {TEXELS, BUFFER};             // source, level
+constexpr VkDescriptorType BLUR_BINDINGS[] = {TEXELS, BUFFER, MAP};         // source, level, map
+constexpr VkDescriptorType PROJECT_BINDINGS[] = {TEXELS, BUFFER};           // source, terms
+constexpr VkDescriptorType SUM_BINDINGS[] = {BUFFER};                       // terms
+constexpr VkDescriptorType EXPAND_BINDINGS[] = {BUFFER, MAP};               // terms, map
+constexpr VkDescriptorType BROAD_BINDINGS[] = {TEXELS, MAP, MAP, MAP, MAP}; // source, maps
+
+// Push constants, as in the shaders.
+struct StatisticsParams {
+    std::uint32_t size;
+};
+struct PrepareParams {
+    std::uint32_t size, margin, block;
+};
+struct HalveParams {
+    std::uint32_t size, margin, source_margin;
+};
+struct BlurParams {
+    std::uint32_t source_size, source_margin, size, margin;
+    float sharpness, quadratic, last_chord, narrowing;
+};
+struct ProjectParams {
+    std::uint32_t size, margin;
+};
+struct SumParams {
+    std::uint32_t chunks;
+};
+struct ExpandParams {
+    std::uint32_t size;
+    std::array<float, DEGREES> eigenvalues;
+};
+struct BroadParams {
+    std::array<float, BROAD_MAPS> exponents;
+    std::uint32_t source_size, size;
+    float narrowing;
+};
+
+constexpr std::uint32_t TO_LEVEL[] = {0};
+constexpr std::uint32_t TO_MAP[] = {1};
+constexpr std::uint32_t MAP_COUNTS[BROAD_MAPS][1] = {{1}, {2}, {3}, {4}};
+
+constexpr std::uint32_t FACES = 6;
+constexpr std::uint32_t GROUP_SIZE = 8;       // local_size_x and _y of all but the next two
+constexpr std::uint32_t TILE_SIZE = 8;        // of statistics.comp
+constexpr std::uint32_t SUM_GROUP_SIZE = 64;  // of sum.comp
+constexpr std::uint32_t BROAD_GROUP_SIZE = 4; // of broad.comp; suns.comp is one group
+
+std::uint32_t groups(std::uint32_t size, std::uint32_t group) {
+    return (size + group - 1) / group;
+}
+
+} // namespace
+
+struct Prefilter::State {
+    vk::Context context;
+    vk::Sampler sampler;
+    vk::ComputePass statistics, suns, prepare, halve, blur_level, blur_map, project, sum, expand;
+    vk::ComputePass broad[BROAD_MAPS]; // by the number of maps less one
+};
+
+struct PrefilterJob::State {
+    std::shared_ptr<const Prefilter::State> shared;
+    PrefilterPlan plan;
+    vk::ImageView source;
+    std::vector<vk::ImageView> maps;
+    std::vector<VkImage> map_images;
+    std::vector<vk::BufferView> levels;
+    std::vector<vk::DescriptorSets> sets; // one for each pass
+    VkBuffer scratch, state;
+
+    const PlannedPass& pass(std::uint32_t index) const { return plan.state().passes[index]; }
+    const ChainLevel& level(std::uint32_t index) const { return plan.state().levels[index]; }
+    vk::Resource level_buffer(std::uint32_t index) const {
+        return vk::buffer_range(scratch, level(index).offset, level(index).bytes());
+    }
+
+    Result<Done> bind(const CubeMap& from, std::span<const CubeMap> to);
+    Result<Done> bind_pass(const PlannedPass& planned);
+    const vk::ComputePass& pipeline(const PlannedPass& planned) const;
+    std::span<const VkDescriptorType> bindings(PlannedPass::Kind kind) const;
+    std::vector<vk::Resource> resources(const PlannedPass& planned) const;
+
+    void begin(VkCommandBuffer commands) const noexcept;
+    void end(VkCommandBuffer commands) const noexcept;
+    void record_pass(VkCommandBuffer commands, std::uint32_t index) const noexcept;
+};
+
+Prefilter::Prefilter(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
+Prefilter::Prefilter(Prefilter&&) noexcept = default;
+Prefilter& Prefilter::operator=(Prefilter&&) noexcept = default;
+Prefilter::~Prefilter() = default;
+
+Result<Prefilter> Prefilter::create(const Device& device) {
+    return vk::guarded([&]() -> Result<Prefilter> {
+        auto context = vk::load(device);
+        if (!context) return context.error();
+        auto state = std::make_shared<State>();
+        state->context = *context;
+        auto sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
+        if (!sampler) return sampler.error();
+        state->sampler = std::move(*sampler);
+
+        struct Made {
+            vk::ComputePass State::*pass;
+            vk::ComputePassDescription description;
+        };
+        const Made all[] = {
+            {&State::statistics,
+             {"statistics", STATISTICS_SPIRV, STATISTICS_BINDINGS, sizeof(StatisticsParams)}},
+            {&State::suns, {"suns", SUNS_SPIRV, STATISTICS_BINDINGS, sizeof(StatisticsParams)}},
+            {&State::prepare, {"prepare", PREPARE_SPIRV, PREPARE_BINDINGS, sizeof(PrepareParams)}},
+            {&State::halve, {"halve", HALVE_SPIRV, HALVE_BINDINGS, sizeof(HalveParams)}},
+            {&State::blur_level,
+             {"blur level", BLUR_SPIRV, BLUR_BINDINGS, sizeof(BlurParams), TO_LEVEL}},
+            {&State::blur_map, {"blur map", BLUR_SPIRV, BLUR_BINDINGS, sizeof(BlurParams), TO_MAP}},
+            {&State::project, {"project", PROJECT_SPIRV, PROJECT_BINDINGS, sizeof(ProjectParams)}},
+            {&State::sum, {"sum", SUM_SPIRV, SUM_BINDINGS, sizeof(SumParams)}},
+            {&State::expand, {"expand", EXPAND_SPIRV, EXPAND_BINDINGS, sizeof(ExpandParams)}},
+        };
+        for (const Made& made : all) {
+            auto pass = vk::make_compute_pass(state->context, made.description);
+            if (!pass) return pass.error();
+            state.get()->*made.pass = std::move(*pass);
+        }
+        for (std::uint32_t i = 0; i < BROAD_MAPS; ++i) {
+            auto pass = vk::make_compute_pass(state->context, {"broad", BROAD_SPIRV, BROAD_BINDINGS,
+                                                               sizeof(BroadParams), MAP_COUNTS[i]});
+            if (!pass) return pass.error();
+            state->broad[i] = std::move(*pass);
+        }
+        return Prefilter(std::move(state));
+    });
+}
+
+Result<PrefilterJob> Prefilter::bind(const PrefilterPlan& plan, const CubeMap& source,
+                                     std::span<const CubeMap> maps, VkBuffer scratch,
+                                     VkBuffer state) const {
+    return vk::guarded([&]() -> Result<PrefilterJob> {
+        if (source.size != plan.state().source_size || maps.size() != plan.maps().size())
+            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
+                         "the source and the maps are those of the plan"};
+        for (std::size_t i = 0; i < maps.size(); ++i)
+            if (maps[i].size != plan.maps()[i].size ||
+                maps[i].format != VK_FORMAT_R16G16B16A16_SFLOAT)
+                return Error{VK_ERROR_VALIDATION_FAILED_EXT,
+                             "a map has the plan's size and format R16G16B16A16_SFLOAT"};
+        auto job = std::unique_ptr<PrefilterJob::State>(
+            new PrefilterJob::State{state_, plan, {}, {}, {}, {}, {}, scratch, state});
+        if (auto bound = job->bind(source, maps); !bound) return bound.error();
+        return PrefilterJob(std::move(job));
+    });
+}
+
+Result<Done> PrefilterJob::State::bind(const CubeMap& from, std::span<const CubeMap> to) {
+    const vk::Context& context = shared->context;
+    auto view = vk::make_level_view(context, from.image, from.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
+    if (!view) return view.error();
+    source = std::move(*view);
+    for (const CubeMap& map : to) {
+        auto map_view =
+            vk::make_level_view(context, map.image, map.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
+        if (!map_view) return map_view.error();
+        maps.push_back(std::move(*map_view));
+        map_images.push_back(map.image);
+    }
+    for (const ChainLevel& level : plan.state().levels) {
+        const VkBufferViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
+                                          .buffer = scratch,
+                                          .format = VK_FORMAT_R32G32B32A32_UINT,
+                                          .offset = level.offset,
+                                          .range = level.bytes()};
+        auto level_view = vk::make<vk::BufferView>(context, context.call.vkCreateBufferView, info,
+                                                   "create buffer view");
+        if (!level_view) return level_view.error();
+        levels.push_back(std::move(*level_view));
+    }
+    for (const PlannedPass& planned : plan.state().passes)
+        if (auto bound = bind_pass(planned); !bound) return bound.error();
+    return Done{};
+}
+
+Result<Done> PrefilterJob::State::bind_pass(const PlannedPass& planned) {
+    const vk::ComputePass& pass = pipeline(planned);
+    auto made = vk::make_descriptor_sets(shared->context, pass.interface.set_layout.get(),
+                                         bindings(planned.kind), 1);
+    if (!made) return made.error();
+    vk::write_descriptor_set(shared->context, made->sets[0], bindings(planned.kind),
+                             resources(planned));
+    sets.push_back(std::move(*made));
+    return Done{};
+}
+
+const vk::ComputePass& PrefilterJob::State::pipeline(const PlannedPass& planned) const {
+    switch (planned.kind) {
+    case PlannedPass::Kind::statistics: return shared->statistics;
+    case PlannedPass::Kind::suns: return shared->suns;
+    case PlannedPass::Kind::prepare: return shared->prepare;
+    case PlannedPass::Kind::halve: return shared->halve;
+    case PlannedPass::Kind::blur_level: return shared->blur_level;
+    case PlannedPass::Kind::blur_map: return shared->blur_map;
+    case PlannedPass::Kind::project: return shared->project;
+    case PlannedPass::Kind::sum: return shared->sum;
+    case PlannedPass::Kind::expand: return shared->expand;
+    case PlannedPass::Kind::broad: break;
+    }
+    return shared->broad[planned.maps.size() - 1];
+}
+
+std::span<const VkDescriptorType> PrefilterJob::State::bindings(PlannedPass::Kind kind) const {
+    switch (kind) {
+    case PlannedPass::Kind::statistics:
+    case PlannedPass::Kind::suns: return STATISTICS_BINDINGS;
+    case PlannedPass::Kind::prepare: return PREPARE_BINDINGS;
+    case PlannedPass::Kind::halve: return HALVE_BINDINGS;
+    case PlannedPass::Kind::blur_level:
+    case PlannedPass::Kind::blur_map: return BLUR_BINDINGS;
+    case PlannedPass::Kind::project: return PROJECT_BINDINGS;
+    case PlannedPass::Kind::sum: return SUM_BINDINGS;
+    case PlannedPass::Kind::expand: return EXPAND_BINDINGS;
+    case PlannedPass::Kind::broad: break;
+    }
+    return BROAD_BINDINGS;
+}
+
+// A binding that a pass has no use for repeats another of its kind: every binding must be valid.
+std::vector<vk::Resource> PrefilterJob::State::resources(const PlannedPass& planned) const {
+    const vk::Resource image = vk::sampled_image(source.get(), shared->sampler.get());
+    const vk::Resource state_buffer = vk::buffer_range(state);
+    const auto map = [&](std::size_t i) {
+        const std::size_t last = planned.maps.empty() ? 0 : planned.maps.size() - 1;
+        return vk::storage_image(
+            maps[planned.maps.empty() ? 0 : planned.maps[std::min(i, last)]].get());
+    };
+    const vk::Resource terms = vk::buffer_range(
+        scratch, plan.state().terms_offset, std::max<VkDeviceSize>(plan.state().terms_bytes, 1));
+    const auto texels = [&] { return vk::texel_buffer(levels[planned.source].get()); };
+    switch (planned.kind) {
+    case PlannedPass::Kind::statistics:
+    case PlannedPass::Kind::suns:
+        return {image, vk::buffer_range(scratch, 0, plan.state().tiles_bytes), state_buffer};
+    case PlannedPass::Kind::prepare: return {image, state_buffer, level_buffer(planned.target)};
+    case PlannedPass::Kind::halve: return {texels(), level_buffer(planned.target)};
+    case PlannedPass::Kind::blur_level:
+    case PlannedPass::Kind::blur_map: return {texels(), level_buffer(planned.target), map(0)};
+    case PlannedPass::Kind::project: return {texels(), terms};
+    case PlannedPass::Kind::sum: return {terms};
+    case PlannedPass::Kind::expand: return {terms, map(0)};
+    case PlannedPass::Kind::broad: break;
+    }
+    return {texels(), map(0), map(1), map(2), map(3)};
+}
+
+PrefilterJob::PrefilterJob(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
+PrefilterJob::PrefilterJob(PrefilterJob&&) noexcept = default;
+PrefilterJob& PrefilterJob::operator=(PrefilterJob&&) noexcept = default;
+PrefilterJob::~PrefilterJob() = default;
+
+void PrefilterJob::State::begin(VkCommandBuffer commands) const noexcept {
+    const vk::Context& context = shared->context;
+    vk::memory_barrier(context, commands,
+                       VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
+                       VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                       VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT);
+    for (const VkImage map : map_images)
+        vk::image_barrier(context, commands, map, vk::DISCARDED, vk::STORED);
+}
+
+void PrefilterJob::State::end(VkCommandBuffer commands) const noexcept {
+    const vk::Context& context = shared->context;
+    for (const VkImage map : map_images)
+        vk::image_barrier(context, commands, map, vk::STORED, vk::SAMPLED);
+    vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                       VK_ACCESS_SHADER_WRITE_BIT,
+                       VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
+                       VK_ACCESS_SHADER_READ_BIT);
+}
+
+void PrefilterJob::State::record_pass(VkCommandBuffer commands,
+                                      std::uint32_t index) const noexcept {
+    const vk::Context& context = shared->context;
+    const PlannedPass& planned = pass(index);
+    const vk::ComputePass& compute = pipeline(planned);
+    const VkDescriptorSet set = sets[index].sets[0];
+    const auto dispatch = [&](const auto& params, std::uint32_t across, std::uint32_t layers) {
+        vk::begin_pass(context, commands, compute, set, params);
+        context.call.vkCmdDispatch(commands, across, across, layers);
+    };
+
+    const std::uint32_t source_size = plan.state().source_size;
+    switch (planned.kind) {
+    case PlannedPass::Kind::statistics:
+        dispatch(StatisticsParams{source_size}, groups(source_size / TILE_SIZE, GROUP_SIZE), FACES);
+        break;
+    case PlannedPass::Kind::suns: dispatch(StatisticsParams{source_size}, 1, 1); break;
+    case PlannedPass::Kind::prepare: {
+        const ChainLevel& to = level(planned.target);
+        dispatch(PrepareParams{to.size, to.margin, source_size / to.size},
+                 groups(to.size, GROUP_SIZE), FACES);
+        break;
+    }
+    case PlannedPass::Kind::halve: {
+        const ChainLevel& to = level(planned.target);
+        dispatch(HalveParams{to.size, to.margin, level(planned.source).margin},
+                 groups(to.size, GROUP_SIZE), FACES);
+        break;
+    }
+    case PlannedPass::Kind::blur_level:
+    case PlannedPass::Kind::blur_map: {
+        const bool to_map = planned.kind == PlannedPass::Kind::blur_map;
+        const ChainLevel& from = level(planned.source);
+        const std::uint32_t size =
+            to_map ? plan.maps()[planned.maps[0]].size : level(planned.target).size;
+        dispatch(BlurParams{from.size, from.margin, size, level(planned.target).margin,
+                            float(planned.kernel.sharpness), float(planned.kernel.quadratic),
+                            float(planned.kernel.last_chord), float(planned.narrowing)},
+                 groups(size / 2, GROUP_SIZE), 1);
+        break;
+    }
+    case PlannedPass::Kind::project: {
+        const ChainLevel& from = level(planned.source);
+        const ProjectParams params{from.size, from.margin};
+        vk::begin_pass(context, commands, compute, set, params);
+        context.call.vkCmdDispatch(commands, FACES * from.size * from.size / CHUNK_TEXELS, 1, 1);
+        break;
+    }
+    case PlannedPass::Kind::sum: {
+        const SumParams params{std::uint32_t(plan.state().terms_bytes / (TERMS * TERM_BYTES))};
+        vk::begin_pass(context, commands, compute, set, params);
+        context.call.vkCmdDispatch(commands, groups(TERMS, SUM_GROUP_SIZE), 1, 1);
+        break;
+    }
+    case PlannedPass::Kind::expand: {
+        const std::uint32_t size = plan.maps()[planned.maps[0]].size;
+        ExpandParams params{size, {}};
+        std::copy(planned.values.begin(), planned.values.end(), params.eigenvalues.begin());
+        vk::begin_pass(context, commands, compute, set, params);
+        context.call.vkCmdDispatch(commands, groups(3 * size * size / 4, SUM_GROUP_SIZE), 1, 1);
+        break;
+    }
+    case PlannedPass::Kind::broad: {
+        const std::uint32_t size = plan.maps()[planned.maps[0]].size;
+        BroadParams params{{}, level(planned.source).size, size, float(planned.narrowing)};
+        std::copy(planned.values.begin(), planned.values.end(), params.exponents.begin());
+        dispatch(params, groups(size, BROAD_GROUP_SIZE), 1);
+        break;
+    }
+    }
+    vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                       VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                       VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT);
+}
+
+void PrefilterJob::record(VkCommandBuffer commands, std::uint32_t first,
+                          std::uint32_t count) const noexcept {
+    if (first == 0 && count > 0) state_->begin(commands);
+    for (std::uint32_t index = first; index < first + count; ++index)
+        state_->record_pass(commands, index);
+    if (count > 0 && first + count == state_->plan.pass_count()) state_->end(commands);
+}
+
+} // namespace lobelia

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <lobelia/prefilter.h>
+
+#include "kernel.h"
+
+namespace lobelia {
+
+/// A level of the chain in the scratch buffer: six faces of halves with margins.
+struct ChainLevel {
+    std::uint32_t size;
+    std::uint32_t margin; // texels, even
+    VkDeviceSize offset;  // bytes
+    double exponent;      // of the lobe it has been blurred with; infinite: none
+    double face_variance; // blur beyond that, in the face's plane, in its coordinates squared
+    VkDeviceSize bytes() const;
+};
+
+constexpr std::uint32_t BROAD_MAPS = 4; // of one broad pass
+
+// As in the shaders: degrees of the spherical harmonics, their terms and a term's bytes, and texels
+// of a chunk of project.comp.
+constexpr std::uint32_t DEGREES = 29;
+constexpr std::uint32_t TERMS = DEGREES * (DEGREES + 1) / 2;
+constexpr std::uint32_t TERM_BYTES = 32;
+constexpr std::uint32_t CHUNK_TEXELS = 16 * 8;
+
+/// One pass of the plan: where it reads and writes, by index into levels or maps.
+struct PlannedPass {
+    enum class Kind {
+        statistics,
+        suns,
+        prepare,
+        halve,
+        blur_level,
+        blur_map,
+        project,
+        sum,
+        expand,
+        broad
+    } kind;
+    std::uint32_t source = 0; // level; of `prepare` the source image
+    std::uint32_t target = 0; // level
+    std::vector<std::uint32_t> maps;
+    Kernel kernel{};
+    double narrowing = 0;       // face variance the kernel leaves out
+    std::vector<double> values; // exponents of a broad pass, eigenvalues of an expansion
+};
+
+struct PrefilterPlan::State {
+    std::uint32_t source_size;
+    std::vector<PrefilteredMap> maps;
+    std::vector<ChainLevel> levels;
+    std::vector<PlannedPass> passes;
+    VkDeviceSize tiles_bytes;
+    VkDeviceSize terms_offset, terms_bytes; // partial sums of spherical harmonics
+    VkDeviceSize scratch_bytes;
+};
+
+} // namespace lobelia

@@ -1,0 +1,48 @@
+// How a level lies in memory while the prefilter works on it: each face with a margin around it in
+// which the texels of its four neighbours are laid out as if the cube were unfolded. Between two
+// neighbours' strips, beyond a corner, there is nothing.
+#ifndef PREFILTER_CHART_GLSL
+#define PREFILTER_CHART_GLSL
+
+#include "lobelia/cube.glsl"
+
+// A place on the chart of a face: the point of the cube's surface in the face's own frame (right,
+// down, forward), made a unit vector, and the solid angle per unit of the chart's area there.
+struct ChartPoint {
+    vec3 direction;
+    float density;
+};
+
+ChartPoint chart_point(vec2 at) {
+    vec2 on_face = clamp(at, -1.0, 1.0);
+    vec2 beyond = abs(at - on_face);
+    vec3 p = vec3(on_face, 1.0 - beyond.x - beyond.y);
+    float shrink = inversesqrt(dot(p, p));
+    bool nothing = beyond.x > 0.0 && beyond.y > 0.0;
+    return ChartPoint(p * shrink, nothing ? 0.0 : shrink * shrink * shrink);
+}
+
+// Halves of values that are not negative, to the nearest; the largest half is the most.
+uvec3 to_halves(vec3 value) {
+    value = min(value, vec3(65504.0));
+    uvec3 bits = floatBitsToUint(value);
+    uvec3 normal = (bits - 0x38000000u + 0x0fffu + ((bits >> 13) & 1u)) >> 13;
+    uvec3 denormal = uvec3(value * 16777216.0 + 0.5);
+    return mix(normal, denormal, lessThan(value, vec3(6.103515625e-5)));
+}
+
+uvec2 pack_texel(vec3 value) {
+    uvec3 halves = to_halves(value);
+    return uvec2(halves.x | (halves.y << 16), halves.z | 0x3c000000u);
+}
+
+// Halves without sign, infinity and NaN become floats by a shift, too small by 2^112, which the
+// weights make up for: the built-in functions cost a CPU device more than the fetch.
+const float UNPACKED = 5.192296858534828e33;
+
+vec3 unpack_texel(uvec2 halves) {
+    return uintBitsToFloat(uvec3((halves.x & 0xffffu) << 13, (halves.x >> 3) & 0x0fffe000u,
+                                 (halves.y & 0xffffu) << 13));
+}
+
+#endif

@@ -1,0 +1,88 @@
+// A map of a low exponent from spherical harmonics: each degree times the lobe's eigenvalue.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+#include "prefilter/harmonics.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(set = 0, binding = 0, std430) readonly buffer Terms { Term terms[]; };
+layout(set = 0, binding = 1, rgba16f) uniform writeonly image2DArray map;
+
+layout(push_constant) uniform Params {
+    uint size;
+    float eigenvalues[ORDERS]; // of the lobe, over those of the blurs before and after
+};
+
+shared Term scaled[TERMS]; // with the eigenvalues
+
+void load_terms() {
+    for (int m = 0; m <= DEGREE; ++m) {
+        int l = m + int(gl_LocalInvocationIndex);
+        if (l > DEGREE) continue;
+        Term entry = terms[term(l, m)];
+        entry.real.rgb *= eigenvalues[l];
+        entry.imaginary.rgb *= eigenvalues[l];
+        scaled[term(l, m)] = entry;
+    }
+    barrier();
+}
+
+// The sums over l of one order at height z, for even and odd l + m.
+struct Order {
+    vec3 real[2];
+    vec3 imaginary[2];
+};
+
+Order sum_order(int m, float z) {
+    Order sums = Order(vec3[](vec3(0.0), vec3(0.0)), vec3[](vec3(0.0), vec3(0.0)));
+    int index = term(m, m);
+    float before = 0.0;
+    float here = scaled[index].real.w;
+    for (int l = m; l <= DEGREE; l += 2) {
+        sums.real[0] += here * scaled[index].real.rgb;
+        sums.imaginary[0] += here * scaled[index].imaginary.rgb;
+        if (l == DEGREE) break;
+        ++index;
+        before = scaled[index].real.w * (z * here - scaled[index].imaginary.w * before);
+        sums.real[1] += before * scaled[index].real.rgb;
+        sums.imaginary[1] += before * scaled[index].imaginary.rgb;
+        if (l + 1 == DEGREE) break;
+        ++index;
+        here = scaled[index].real.w * (z * before - scaled[index].imaginary.w * here);
+    }
+    return sums;
+}
+
+void main() {
+    load_terms();
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= 3u * size * size / 4u) return;
+    vec3 towards = octant_direction(index, size);
+    vec3 direction = normalize(towards);
+
+    // Sums by the kind of harmonic: whether m, and whether l + m, is odd.
+    vec3 real[4] = vec3[](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    vec3 imaginary[4] = vec3[](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    vec2 power = vec2(1.0, 0.0); // (x + i y)^m
+    for (int m = 0; m <= DEGREE; ++m) {
+        Order order = sum_order(m, direction.z);
+        int kind = 2 * (m & 1);
+        real[kind] += power.x * order.real[0];
+        real[kind + 1] += power.x * order.real[1];
+        imaginary[kind] += power.y * order.imaginary[0];
+        imaginary[kind + 1] += power.y * order.imaginary[1];
+        power = vec2(power.x * direction.x - power.y * direction.y,
+                     power.x * direction.y + power.y * direction.x);
+    }
+
+    for (uint octant = 0u; octant < 8u; ++octant) {
+        vec3 sum = vec3(0.0);
+        for (int kind = 0; kind < 4; ++kind) {
+            sum += real_sign(octant, kind / 2, kind & 1) * real[kind] +
+                   imaginary_sign(octant, kind / 2, kind & 1) * imaginary[kind];
+        }
+        ivec3 texel = ivec3(mirrored_texel(towards, octant, size));
+        imageStore(map, texel, vec4(clamp(sum, 0.0, 65504.0), 1.0));
+    }
+}

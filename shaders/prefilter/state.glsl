@@ -1,0 +1,34 @@
+// What the prefilter learns from the texels: the suns it takes out of the map and the scale of what
+// stays. Lies in one storage buffer; binding STATE_BINDING of set 0.
+#ifndef PREFILTER_STATE_GLSL
+#define PREFILTER_STATE_GLSL
+
+#include "lobelia/suns.glsl"
+
+layout(set = 0, binding = STATE_BINDING, std430) buffer State { PrefilterState state; };
+
+float luminance(vec3 radiance) { return dot(radiance, vec3(0.2126, 0.7152, 0.0722)); }
+
+// Chord of the radius within which bright texels make up one sun: 0.04 radians.
+const float SUN_CHORD = 0.0001125;
+
+// Whether one of the first `suns` suns has taken the bright texels at `direction`.
+bool near_sun(vec3 direction, uint suns) {
+    for (uint i = 0u; i < suns; ++i) {
+        if (half_square_distance(direction, state.seeds[i].xyz) < SUN_CHORD) return true;
+    }
+    return false;
+}
+
+// Radiance as the integration takes it: NaN and negative values are 0, infinity is the largest
+// finite value. Tests bits, since a shader may assume that NaN does not occur.
+float sane(float value) {
+    uint bits = floatBitsToUint(value);
+    bool negative = (bits & 0x80000000u) != 0u;
+    bool nan = (bits & 0x7fffffffu) > 0x7f800000u;
+    if (negative || nan) return 0.0;
+    return uintBitsToFloat(min(bits, 0x7f7fffffu));
+}
+vec3 sane(vec3 radiance) { return vec3(sane(radiance.r), sane(radiance.g), sane(radiance.b)); }
+
+#endif
