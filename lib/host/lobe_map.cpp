@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 #include <thread>
 
 #include "host/directions.h"
@@ -60,7 +61,8 @@ public:
           sources_(tiles(source_directions_, cube.width)), solid_angles_(solid_angles(cube.width)) {
         const double least_cosine =
             exponent > 0.0f ? std::pow(LAST_WEIGHT, 1.0 / double(exponent)) : 0.0;
-        reach_ = std::acos(least_cosine);
+        // However sharp the lobe, the texel that its axis meets is near: half a diagonal away.
+        reach_ = std::acos(least_cosine) + std::numbers::sqrt2 / cube.width;
     }
 
     void run(Image& target, std::size_t first, std::size_t step) const {
