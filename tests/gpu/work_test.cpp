@@ -1,0 +1,98 @@
+#include "sphere_fixture.h"
+
+// What a program asks of the host: maps and their places, reports, progress, refusals.
+namespace lobelia::test {
+namespace {
+
+class WorkTest : public SphereTest {};
+
+std::vector<oracle::Direction> map_directions(const host::Image& map) {
+    const oracle::Source source = source_of(map);
+    std::vector<oracle::Direction> directions;
+    for (int layer = 0; layer < source.layers(); ++layer)
+        for (int y = 0; y < source.height(); ++y)
+            for (int x = 0; x < source.width(); ++x)
+                directions.push_back(source.direction(layer, x, y));
+    return directions;
+}
+
+TEST_F(WorkTest, PrefiltersIntoEitherLayout) {
+    const oracle::Source source = random_panorama(oracle::Scene::noise, 16, 8, 4);
+    const host::GpuEnvironment environment = upload(image_of(source));
+    for (const host::Layout layout : {host::Layout::cube, host::Layout::latlong}) {
+        const auto filtered = value_of(host::prefilter(
+            gpu, environment, {.exponents = {1.0f, 16.0f}, .layout = layout, .width = 8}));
+        ASSERT_EQ(filtered.maps.size(), 2u);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const host::Image& map = filtered.maps[i];
+            EXPECT_EQ(map.layout, layout);
+            EXPECT_EQ(map.width, 8u);
+            EXPECT_EQ(map.height, layout == host::Layout::cube ? 8u : 4u);
+            const auto truth = lobe_averages(source, map_directions(map), i == 0 ? 1.0 : 16.0);
+            for (std::size_t t = 0; t < truth.size(); ++t)
+                for (std::size_t c = 0; c < 3; ++c)
+                    ASSERT_NEAR(map.texels[4 * t + c] / truth[t][c], 1.0, 1e-4)
+                        << "map " << i << " texel " << t << " channel " << c;
+        }
+    }
+}
+
+TEST_F(WorkTest, TakesACubeAsItIs) {
+    const oracle::Source source = random_cube(oracle::Scene::noise, 8, 4);
+    const host::GpuEnvironment environment = upload(image_of(source));
+    EXPECT_FALSE(environment.panorama);
+    const auto filtered =
+        value_of(host::prefilter(gpu, environment, {.exponents = {4.0f}, .width = 4}));
+    const auto truth = lobe_averages(source, map_directions(filtered.maps[0]), 4.0);
+    for (std::size_t t = 0; t < truth.size(); ++t)
+        ASSERT_NEAR(filtered.maps[0].texels[4 * t] / truth[t][0], 1.0, 1e-4) << "texel " << t;
+}
+
+TEST_F(WorkTest, ReportsWhatItDid) {
+    const host::GpuEnvironment environment = upload(even_panorama(64, 32, 1.0f, 1.0f, 1.0f));
+    ASSERT_EQ(environment.report.passes.size(), 1u);
+    EXPECT_EQ(environment.report.passes[0].bytes_read, 64u * 32 * 16);
+    EXPECT_EQ(environment.report.passes[0].bytes_written, 6u * 16 * 16 * 16);
+
+    const SphereView view{.material = grey(0.5f, 0.5f, 4.0f), .width = 10, .height = 8};
+    const auto rendering = value_of(host::render(gpu, environment, {.view = view}));
+    std::string names;
+    for (const host::PassReport& pass : rendering.report.passes) names += pass.name + ";";
+    EXPECT_EQ(names, "diffuse map;specular map;sphere;");
+    EXPECT_EQ(rendering.report.passes.back().invocations, 80u);
+    EXPECT_EQ(rendering.report.passes.back().bytes_written, 80u * 16);
+}
+
+TEST_F(WorkTest, StopsWhenToldTo) {
+    const host::GpuEnvironment environment = upload(even_panorama(64, 32, 1.0f, 1.0f, 1.0f));
+    const SphereView view{.material = grey(0.5f, 0.5f, 4.0f), .width = 10, .height = 8};
+    for (const SphereMethod method : {SphereMethod::split_sum, SphereMethod::reference}) {
+        double last = -1.0;
+        const auto stopped =
+            host::render(gpu, environment, {.view = view, .method = method}, [&](double done) {
+                EXPECT_GE(done, last);
+                EXPECT_LE(done, 1.0);
+                last = done;
+                return false;
+            });
+        ASSERT_FALSE(stopped);
+        EXPECT_EQ(stopped.error().message, "cancelled");
+    }
+}
+
+TEST_F(WorkTest, RefusesWhatIsNoEnvironment) {
+    host::Image broken = even_panorama(4, 2, 1.0f, 1.0f, 1.0f);
+    broken.texels.pop_back();
+    const auto uploaded = host::upload_environment(gpu, broken);
+    ASSERT_FALSE(uploaded);
+    EXPECT_EQ(uploaded.error().message,
+              "an environment is one panorama or six square faces of R G B A texels");
+
+    const host::GpuEnvironment environment = upload(even_panorama(4, 2, 1.0f, 1.0f, 1.0f));
+    EXPECT_FALSE(host::prefilter(gpu, environment, {}));
+    EXPECT_FALSE(host::prefilter(gpu, environment, {.exponents = {-1.0f}}));
+    EXPECT_FALSE(host::prefilter(gpu, environment, {.exponents = {1.0f}, .width = 20000}));
+}
+
+} // namespace
+} // namespace lobelia::test
