@@ -38,17 +38,17 @@ constexpr vk::ComputePassDescription describe(std::span<const std::uint32_t> tea
 constexpr std::uint32_t FACES = 6;
 constexpr std::uint32_t LARGEST_SIDE = 32768;
 
-// lavapipe ends an invocation's loops after 65535 iterations without a word, so no invocation may
-// visit that many pairs of texels.
-constexpr std::uint64_t PAIRS_PER_INVOCATION = 60000;
+// lavapipe ends an invocation's loops after 65535 iterations without a word.
+constexpr std::uint64_t ITERATIONS_PER_INVOCATION = 60000;
 
-// Panorama texels that one cube texel overlaps, at most: reached by the texel around a pole.
-std::uint64_t most_pairs(std::uint64_t width, std::uint64_t height, std::uint64_t size) {
-    return width * height / (2 * size);
+// Of the loops over columns and rows, for one cube texel, at most: reached by the texel around a
+// pole, which touches every column.
+std::uint64_t most_iterations(std::uint64_t columns, std::uint64_t height, std::uint64_t size) {
+    return columns * height / (2 * size) + 2 * columns;
 }
 
-// A column must span well under half a turn for the shader's wedges and three quadrature nodes.
-constexpr std::uint32_t LEAST_COLUMNS = 32;
+// Columns narrow enough for the shader's boundaries to be all but straight between meridians.
+constexpr std::uint32_t LEAST_COLUMNS = 256;
 
 } // namespace
 
@@ -105,8 +105,9 @@ Result<PanoramaToCubeJob> PanoramaToCube::bind(const Panorama& source,
                          "the cube map to fill has format R32G32B32A32_SFLOAT and a size"};
         const std::uint32_t repeat = (LEAST_COLUMNS + source.width - 1) / source.width;
         const Params params{source.width, source.height, target.size, source.width * repeat};
-        const std::uint64_t pairs = most_pairs(params.columns, params.height, params.size);
-        if (pairs > PAIRS_PER_INVOCATION * GROUP_SIZE)
+        const std::uint64_t iterations =
+            most_iterations(params.columns, params.height, params.size);
+        if (iterations > ITERATIONS_PER_INVOCATION * GROUP_SIZE)
             return Error{VK_ERROR_VALIDATION_FAILED_EXT,
                          "the cube map's face is too small for so large a panorama"};
 
@@ -129,7 +130,7 @@ Result<PanoramaToCubeJob> PanoramaToCube::bind(const Panorama& source,
         return PanoramaToCubeJob(std::unique_ptr<PanoramaToCubeJob::State>(
             new PanoramaToCubeJob::State{state_, std::move(*source_view), std::move(*target_view),
                                          std::move(*sets), target.image, params,
-                                         pairs > PAIRS_PER_INVOCATION}));
+                                         iterations > ITERATIONS_PER_INVOCATION}));
     });
 }
 

@@ -327,20 +327,51 @@ std::uint32_t PrefilterPlan::pass_count() const noexcept {
     return std::uint32_t(state_->passes.size());
 }
 
-const char* PrefilterPlan::pass_name(std::uint32_t pass) const noexcept {
-    switch (state_->passes[pass].kind) {
-    case PlannedPass::Kind::statistics: return "statistics";
-    case PlannedPass::Kind::suns: return "suns";
-    case PlannedPass::Kind::prepare: return "prepare";
-    case PlannedPass::Kind::halve: return "halve";
-    case PlannedPass::Kind::blur_level: return "blur level";
-    case PlannedPass::Kind::blur_map: return "blur map";
-    case PlannedPass::Kind::project: return "project";
-    case PlannedPass::Kind::sum: return "sum";
-    case PlannedPass::Kind::expand: return "expand";
-    case PlannedPass::Kind::broad: return "broad";
+namespace {
+
+std::uint64_t texels(std::uint64_t size) {
+    return 6 * size * size;
+}
+
+} // namespace
+
+PrefilterPass PrefilterPlan::pass(std::uint32_t index) const noexcept {
+    constexpr std::uint64_t SOURCE_BYTES = 16; // of a texel
+    constexpr std::uint64_t GROUP = 64;        // invocations of a group
+    constexpr std::uint64_t PLACES = 4 * 6;    // texels of an invocation of blur.comp
+    const PlannedPass& planned = state_->passes[index];
+    const auto level = [&](std::uint32_t i) { return state_->levels[i].bytes(); };
+    const auto map = [&](std::uint32_t i) { return texels(state_->maps[i].size) * TEXEL_BYTES; };
+    const std::uint64_t source = texels(state_->source_size);
+    const std::uint64_t terms = std::uint64_t(TERMS) * TERM_BYTES;
+    const std::uint64_t target =
+        planned.target < state_->levels.size() ? texels(state_->levels[planned.target].size) : 0;
+    switch (planned.kind) {
+    case PlannedPass::Kind::statistics:
+        return {"statistics", source / GROUP, source * SOURCE_BYTES, state_->tiles_bytes};
+    case PlannedPass::Kind::suns: return {"suns", GROUP, state_->tiles_bytes, state_size()};
+    case PlannedPass::Kind::prepare:
+        return {"prepare", target, source * SOURCE_BYTES, level(planned.target)};
+    case PlannedPass::Kind::halve:
+        return {"halve", target, level(planned.source), level(planned.target)};
+    case PlannedPass::Kind::blur_level:
+        return {"blur level", target / PLACES, level(planned.source), level(planned.target)};
+    case PlannedPass::Kind::blur_map:
+        return {"blur map", texels(state_->maps[planned.maps[0]].size) / PLACES,
+                level(planned.source), map(planned.maps[0])};
+    case PlannedPass::Kind::project:
+        return {"project", state_->terms_bytes / terms * 32, level(planned.source),
+                state_->terms_bytes};
+    case PlannedPass::Kind::sum: return {"sum", TERMS, state_->terms_bytes, terms};
+    case PlannedPass::Kind::expand:
+        return {"expand", texels(state_->maps[planned.maps[0]].size) / 8, terms,
+                map(planned.maps[0])};
+    case PlannedPass::Kind::broad: break;
     }
-    return "";
+    std::uint64_t written = 0;
+    for (const std::uint32_t i : planned.maps) written += map(i);
+    return {"broad", texels(state_->maps[planned.maps[0]].size) / 6, level(planned.source),
+            written};
 }
 
 } // namespace lobelia

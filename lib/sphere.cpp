@@ -24,6 +24,9 @@ constexpr std::uint32_t VERTEX_SPIRV[] = {
 constexpr std::uint32_t SPLIT_SUM_SPIRV[] = {
 #include "sphere.frag.inc"
 };
+constexpr std::uint32_t PREFILTERED_SPIRV[] = {
+#include "sphere_prefiltered.frag.inc"
+};
 constexpr std::uint32_t REFERENCE_SPIRV[] = {
 #include "sphere_reference.frag.inc"
 };
@@ -33,11 +36,29 @@ constexpr VkDescriptorType SPLIT_SUM_BINDINGS[] = {
     VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // diffuse map
     VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // specular map
 };
+constexpr VkDescriptorType PREFILTERED_BINDINGS[] = {
+    VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // background
+    VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // diffuse map
+    VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // specular map
+    VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         // the maps' scale and suns
+};
 constexpr VkDescriptorType REFERENCE_BINDINGS[] = {
     VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // background
     VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         // diffuse averages
     VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         // specular averages
 };
+
+/// The fragment shader that draws with a shading, and what it reads.
+struct Program {
+    std::span<const std::uint32_t> spirv;
+    std::span<const VkDescriptorType> bindings;
+};
+
+Program program_for(const SphereShading& shading) {
+    if (shading.method == SphereMethod::reference) return {REFERENCE_SPIRV, REFERENCE_BINDINGS};
+    if (shading.prefiltered) return {PREFILTERED_SPIRV, PREFILTERED_BINDINGS};
+    return {SPLIT_SUM_SPIRV, SPLIT_SUM_BINDINGS};
+}
 
 vec4 to_vec4(Vector a, float w) {
     return {float(a.x), float(a.y), float(a.z), w};
@@ -91,23 +112,22 @@ Result<Sphere> Sphere::create(const Device& device, const SphereTarget& target,
         auto state = std::make_shared<State>();
         state->context = *context;
         state->shading = shading;
-        const bool reference = shading.method == SphereMethod::reference;
-        state->bindings = SPLIT_SUM_BINDINGS;
-        if (reference) state->bindings = REFERENCE_BINDINGS;
+        const Program program = program_for(shading);
+        state->bindings = program.bindings;
         auto sampler = vk::make_sampler(state->context, VK_FILTER_LINEAR);
         if (!sampler) return sampler.error();
         state->sampler = std::move(*sampler);
 
-        const VkBool32 constants[] = {shading.diffuse, shading.specular, shading.background};
-        vk::FullScreenPassDescription description{.vertex_spirv = VERTEX_SPIRV,
-                                                  .fragment_spirv = SPLIT_SUM_SPIRV,
-                                                  .bindings = state->bindings,
-                                                  .push_constant_size = sizeof(SphereParams),
-                                                  .constants = constants,
-                                                  .render_pass = target.render_pass,
-                                                  .subpass = target.subpass,
-                                                  .format = target.format};
-        if (reference) description.fragment_spirv = REFERENCE_SPIRV;
+        const VkBool32 constants[] = {shading.diffuse, shading.specular, shading.background,
+                                      shading.specular_filter == MapFilter::spline};
+        const vk::FullScreenPassDescription description{.vertex_spirv = VERTEX_SPIRV,
+                                                        .fragment_spirv = program.spirv,
+                                                        .bindings = state->bindings,
+                                                        .push_constant_size = sizeof(SphereParams),
+                                                        .constants = constants,
+                                                        .render_pass = target.render_pass,
+                                                        .subpass = target.subpass,
+                                                        .format = target.format};
         auto pass = vk::make_full_screen_pass(state->context, description);
         if (!pass) return pass.error();
         state->pass = std::move(*pass);
@@ -124,7 +144,8 @@ Result<SphereJob> Sphere::bind(const SphereSources& sources) const {
         };
         if (!sources.background ||
             missing(shading.diffuse, sources.diffuse, sources.reference_diffuse) ||
-            missing(shading.specular, sources.specular, sources.reference_specular))
+            missing(shading.specular, sources.specular, sources.reference_specular) ||
+            (!reference && shading.prefiltered && !sources.prefilter_state))
             return Error{VK_ERROR_VALIDATION_FAILED_EXT,
                          "SphereSources lacks what the shading reads"};
         if (reference && !sources.reference_diffuse && !sources.reference_specular)
@@ -144,6 +165,7 @@ Result<SphereJob> Sphere::bind(const SphereSources& sources) const {
             map(sources.background),
             reference ? buffer(diffuse, specular) : map(sources.diffuse),
             reference ? buffer(specular, diffuse) : map(sources.specular),
+            vk::buffer_range(sources.prefilter_state),
         };
         auto sets = vk::make_descriptor_sets(
             state_->context, state_->pass.interface.set_layout.get(), state_->bindings, 1);

@@ -9,6 +9,7 @@
 #include "numbers.h"
 #include "outputs.h"
 #include "parsed_option.h"
+#include "quality.h"
 #include "report.h"
 #include "verbs.h"
 
@@ -16,12 +17,12 @@ namespace lobelia::cli {
 
 namespace {
 
-constexpr const char* METHOD_EXACT = "exact";
-
 struct PrefilterOptions {
     std::string environment;
     std::vector<float> exponents;
     bool lambert = false;
+    host::PrefilterMethod method = host::PrefilterMethod::chain;
+    Quality quality = Quality::normal;
     host::Layout layout = host::Layout::cube;
     std::optional<std::uint32_t> face;
     std::optional<Size> size;
@@ -30,9 +31,14 @@ struct PrefilterOptions {
     bool json = false;
 };
 
+const char* method_name(host::PrefilterMethod method) {
+    return method == host::PrefilterMethod::chain ? "chain" : "exact";
+}
+
 Outcome<host::PrefilterMethod> parse_method(std::string_view text) {
-    if (text == METHOD_EXACT) return host::PrefilterMethod::exact;
-    return host::Failure{"\"" + std::string(text) + "\" is no method; there is exact"};
+    for (const auto method : {host::PrefilterMethod::chain, host::PrefilterMethod::exact})
+        if (text == method_name(method)) return method;
+    return host::Failure{"\"" + std::string(text) + "\" is no method; there are chain and exact"};
 }
 
 Outcome<host::Layout> parse_layout(std::string_view text) {
@@ -72,7 +78,10 @@ void check_usage(const PrefilterOptions& options) {
 }
 
 host::PrefilterSettings settings_of(const PrefilterOptions& options) {
-    host::PrefilterSettings settings{.exponents = exponents_of(options), .layout = options.layout};
+    host::PrefilterSettings settings{.method = options.method,
+                                     .quality = options.quality,
+                                     .exponents = exponents_of(options),
+                                     .layout = options.layout};
     if (options.face) settings.width = *options.face;
     if (options.size) {
         settings.width = options.size->width;
@@ -81,17 +90,18 @@ host::PrefilterSettings settings_of(const PrefilterOptions& options) {
     return settings;
 }
 
-Outcome<Done> write_maps(const OutputFile& file, const std::vector<float>& exponents,
+Outcome<Done> write_maps(const OutputFile& file, const host::PrefilterSettings& settings,
                          const std::vector<host::Image>& maps) {
     std::vector<host::Part> parts;
     std::string list;
     for (std::size_t i = 0; i < maps.size(); ++i) {
-        const std::string exponent = number_text(exponents[i]);
+        const std::string exponent = number_text(settings.exponents[i]);
         parts.push_back({maps.size() > 1 ? "n=" + exponent : "", &maps[i]});
         list += (list.empty() ? "" : ",") + exponent;
     }
-    return host::write_exr(file.path, parts, host::Content::environment,
-                           {{"lobelia:method", METHOD_EXACT}, {"lobelia:exponents", list}});
+    return host::write_exr(
+        file.path, parts, host::Content::environment,
+        {{"lobelia:method", method_name(settings.method)}, {"lobelia:exponents", list}});
 }
 
 Outcome<Report> prefilter(const PrefilterOptions& options) {
@@ -113,12 +123,13 @@ Outcome<Report> prefilter(const PrefilterOptions& options) {
 
     progress.begin("writing");
     const auto written = write_outputs({options.output}, [&](const OutputFile& file) {
-        return write_maps(file, settings.exponents, filtered->maps);
+        return write_maps(file, settings, filtered->maps);
     });
     if (!written) return written.error();
 
     report.gpu = gpu->description();
-    report.method = METHOD_EXACT;
+    report.method = method_name(settings.method);
+    if (settings.method == host::PrefilterMethod::chain) report.quality = settings.quality;
     report.sanitised = (*source)->sanitised;
     report.append(environment->report);
     report.append(filtered->report);
@@ -145,9 +156,11 @@ void add_prefilter(CLI::App& program, int& status) {
     add_parsed(*verb, "--exponents", parse_exponents, &options->exponents, "X,X,...",
                "Phong exponents, from 0 to 1e6, one map each");
     verb->add_flag("--lambert", options->lambert, "the diffuse lobe, which is exponent 1");
-    add_parsed(
-        *verb, "--method", parse_method, [](host::PrefilterMethod) {}, "NAME",
-        "exact (integrates over every texel for every texel), the default");
+    add_parsed(*verb, "--method", parse_method, &options->method, "NAME",
+               "chain (the prefilter, the default) or exact (integrates over every texel for every "
+               "texel)");
+    add_parsed(*verb, "--quality", parse_quality, &options->quality, "NAME",
+               "of the chain: fast, normal (the default) or high");
     add_parsed(*verb, "--layout", parse_layout, &options->layout, "NAME",
                "cube, the default, or latlong");
     add_parsed(*verb, "--face", parse_count, &options->face, "N",

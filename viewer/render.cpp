@@ -90,6 +90,7 @@ Outcome<Report> render(const RenderOptions& options) {
 
     report.gpu = gpu->description();
     report.method = method_name(settings.method);
+    if (rendering->report.suns) report.quality = settings.quality;
     if (*source) report.sanitised = (*source)->sanitised;
     report.append(environment->report);
     report.append(rendering->report);

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "quality.h"
+
 namespace lobelia::cli {
 
 using Json = nlohmann::ordered_json;
@@ -48,6 +50,7 @@ Json as_array(const std::vector<T>& values) {
 void Report::append(const host::WorkReport& more) {
     work.passes.insert(work.passes.end(), more.passes.begin(), more.passes.end());
     work.images.insert(work.images.end(), more.images.begin(), more.images.end());
+    if (more.suns) work.suns = more.suns;
 }
 
 std::string as_json(const Report& report) {
@@ -55,10 +58,10 @@ std::string as_json(const Report& report) {
     const Json object{{"device", report.gpu.name},
                       {"driver", report.gpu.driver},
                       {"method", report.method},
-                      {"quality", nullptr},
+                      {"quality", report.quality ? Json(quality_name(*report.quality)) : Json()},
                       {"passes", as_array(report.work.passes)},
                       {"images", as_array(report.work.images)},
-                      {"suns", nullptr},
+                      {"suns", report.work.suns ? Json(*report.work.suns) : Json()},
                       {"sanitised", as_json(report.sanitised)},
                       {"seconds", passed.count()}};
     return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -15,6 +15,7 @@ struct Report {
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
     host::GpuDescription gpu;
     std::string method;
+    std::optional<Quality> quality;           // of the prefilter, if there was one
     std::optional<host::Sanitised> sanitised; // of the environment's file, if there was one
     host::WorkReport work;
 

@@ -5,6 +5,7 @@
 
 #include "numbers.h"
 #include "parsed_option.h"
+#include "quality.h"
 
 namespace lobelia::cli {
 
@@ -77,6 +78,8 @@ void add_sphere_options(CLI::App& verb, SphereOptions& options) {
     add_parsed(verb, "--method", parse_method, &options.method, "NAME",
                "split-sum (prefiltered maps, the default) or reference (integrates over every "
                "texel for every pixel: the ground truth)");
+    add_parsed(verb, "--quality", parse_quality, &options.quality, "NAME",
+               "of the maps: fast, normal (the default) or high");
 }
 
 host::RenderSettings settings_of(const SphereOptions& options) {
@@ -88,15 +91,14 @@ host::RenderSettings settings_of(const SphereOptions& options) {
                      .background = !options.no_background,
                      .width = options.width,
                      .height = options.height},
-            .method = options.method};
+            .method = options.method,
+            .quality = options.quality};
 }
 
 const char* method_name(SphereMethod method) {
     switch (method) {
-    case SphereMethod::split_sum:
-        return "split-sum";
-    case SphereMethod::reference:
-        return "reference";
+    case SphereMethod::split_sum: return "split-sum";
+    case SphereMethod::reference: return "reference";
     }
     return "";
 }

@@ -21,6 +21,7 @@ struct SphereOptions {
     std::uint32_t width = 512;
     std::uint32_t height = 512;
     SphereMethod method = SphereMethod::split_sum;
+    Quality quality = Quality::normal;
     std::uint32_t face = 0; // of the environment's cube map, texels; 0: as the panorama needs
 };
 

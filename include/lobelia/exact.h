@@ -10,7 +10,8 @@
 namespace lobelia {
 
 /// One direction at which the environment is asked for, as it lies in the query buffer.
-/// `axis` is a unit vector; `normal` a unit vector, read only where the lobe is clipped by a horizon.
+/// `axis` is a unit vector; `normal` a unit vector, read only where the lobe is clipped by a
+/// horizon.
 struct ExactQuery {
     float axis[3];
     float unused0;
@@ -42,14 +43,14 @@ public:
     /// How many steps the work is split into; one step is at most one dispatch of bounded size.
     std::uint32_t steps() const noexcept;
 
-    /// Records steps [first, first + count), which must be recorded in order and once each; they may
-    /// be spread over any number of command buffers submitted in order. Split or not, the bits are
-    /// the same. Never allocates, submits or waits.
+    /// Records steps [first, first + count), which must be recorded in order and once each; they
+    /// may be spread over any number of command buffers submitted in order. Split or not, the bits
+    /// are the same. Never allocates, submits or waits.
     ///
     /// On entry the environment is in SHADER_READ_ONLY_OPTIMAL and the queries are visible to
     /// compute shaders. After the last step entry `i` of the result buffer is the average for query
-    /// `i` (R, G, B) and the integral of the weight over the sphere of directions as summed (A), visible to
-    /// fragment and compute shaders and to the host.
+    /// `i` (R, G, B) and the integral of the weight over the sphere of directions as summed (A),
+    /// visible to fragment and compute shaders and to the host.
     void record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count) const noexcept;
 
 private:
@@ -68,7 +69,8 @@ public:
     ~Exact();
 
     /// Buffers that bind() needs, in bytes. `queries`: ExactQuery each, STORAGE_BUFFER. `results`:
-    /// four floats each, STORAGE_BUFFER. `tables`: STORAGE_BUFFER and TRANSFER_DST, filled by step 0.
+    /// four floats each, STORAGE_BUFFER. `tables`: STORAGE_BUFFER and TRANSFER_DST, filled by step
+    /// 0.
     struct Sizes {
         VkDeviceSize queries, results, tables;
     };

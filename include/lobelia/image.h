@@ -6,9 +6,10 @@
 
 namespace lobelia {
 
-/// A latitude-longitude panorama, lent: level 0, layer 0 of an image of any float format that can be
-/// sampled, linear radiance. Texel (x, y) is constant radiance over its own solid angle; the image
-/// centre is +Z, the top +Y, u = 0.25 is +X (README, "Conventions"). The library makes its own views.
+/// A latitude-longitude panorama, lent: level 0, layer 0 of an image of any float format that can
+/// be sampled, linear radiance. Texel (x, y) is constant radiance over its own solid angle; the
+/// image centre is +Z, the top +Y, u = 0.25 is +X (README, "Conventions"). The library makes its
+/// own views.
 struct Panorama {
     VkImage image = VK_NULL_HANDLE;
     VkFormat format = VK_FORMAT_UNDEFINED;

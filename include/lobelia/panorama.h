@@ -42,8 +42,8 @@ public:
     ~PanoramaToCube();
 
     /// Makes views and descriptors. `source` needs SAMPLED usage and sides of 1 to 32768 texels;
-    /// `target` needs STORAGE usage and format R32G32B32A32_SFLOAT. Both must outlive the job's last
-    /// use on the device.
+    /// `target` needs STORAGE and SAMPLED usage and format R32G32B32A32_SFLOAT. Both must outlive
+    /// the job's last use on the device.
     Result<PanoramaToCubeJob> bind(const Panorama& source, const CubeMap& target) const;
 
     struct State;

@@ -21,7 +21,8 @@ enum class Quality : std::uint32_t {
 /// How a map is meant to be read: the blur of that filter is left out of the map.
 enum class MapFilter : std::uint32_t { bilinear, spline };
 
-/// One map to make: a cube image of one level, format R16G16B16A16_SFLOAT, STORAGE and SAMPLED usage.
+/// One map to make: a cube image of one level, format R16G16B16A16_SFLOAT, STORAGE and SAMPLED
+/// usage.
 struct PrefilteredMap {
     float exponent = 1.0f;
     std::uint32_t size = 0; // edge of a face, texels
@@ -33,6 +34,15 @@ struct PrefilterRequest {
     bool lambert = false;             // one map more: P_1 for the diffuse lobe, read bilinearly
     Quality quality = Quality::normal;
     std::uint32_t source_size = 0; // edge of the source's faces, a power of two from 16 to 4096
+};
+
+/// What one pass costs. Bytes count each texel once (its footprint), those of the source as
+/// R32G32B32A32_SFLOAT.
+struct PrefilterPass {
+    const char* name = "";
+    std::uint64_t invocations = 0;
+    std::uint64_t bytes_read = 0;
+    std::uint64_t bytes_written = 0;
 };
 
 /// The passes and memory that a list of maps needs. Depends on the request alone, so it can be made
@@ -56,7 +66,7 @@ public:
 
     /// Number of passes; PrefilterJob::record() takes any range of them.
     std::uint32_t pass_count() const noexcept;
-    const char* pass_name(std::uint32_t pass) const noexcept;
+    PrefilterPass pass(std::uint32_t index) const noexcept;
 
     const State& state() const noexcept { return *state_; }
 
@@ -73,20 +83,21 @@ public:
     PrefilterJob& operator=(PrefilterJob&&) noexcept;
     ~PrefilterJob();
 
-    /// Records passes [first, first + count) of the plan, in order and once each; they may be spread
-    /// over command buffers submitted in order, with the same bits. Never allocates, submits or waits.
+    /// Records passes [first, first + count) of the plan, in order and once each; they may be
+    /// spread over command buffers submitted in order, with the same bits. Never allocates, submits
+    /// or waits.
     ///
-    /// On entry to pass 0 the source is in SHADER_READ_ONLY_OPTIMAL, visible to compute shaders; the
-    /// maps' content is discarded. After the last pass the maps are in SHADER_READ_ONLY_OPTIMAL and
-    /// with the state buffer visible to fragment and compute shaders.
+    /// On entry to pass 0 the source is in SHADER_READ_ONLY_OPTIMAL, visible to compute shaders;
+    /// the maps' content is discarded. After the last pass the maps are in SHADER_READ_ONLY_OPTIMAL
+    /// and with the state buffer visible to fragment and compute shaders.
     void record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count) const noexcept;
 
 private:
     std::unique_ptr<State> state_;
 };
 
-/// Blurs a cube map with Phong lobes: suns taken out, a chain of positive zonal kernels matched to the
-/// lobes' spectrum, direct sums for low exponents.
+/// Blurs a cube map with Phong lobes: suns taken out, a chain of positive zonal kernels matched to
+/// the lobes' spectrum, direct sums for low exponents.
 class Prefilter {
 public:
     static Result<Prefilter> create(const Device& device);
@@ -94,10 +105,11 @@ public:
     Prefilter& operator=(Prefilter&&) noexcept;
     ~Prefilter();
 
-    /// Makes views and descriptors. `maps` are what plan.maps() says, in its order. All handles must
-    /// outlive the job's last use on the device.
+    /// Makes views and descriptors. `maps` are what plan.maps() says, in its order. All handles
+    /// must outlive the job's last use on the device.
     Result<PrefilterJob> bind(const PrefilterPlan& plan, const CubeMap& source,
-                              std::span<const CubeMap> maps, VkBuffer scratch, VkBuffer state) const;
+                              std::span<const CubeMap> maps, VkBuffer scratch,
+                              VkBuffer state) const;
 
     struct State;
 

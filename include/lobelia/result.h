@@ -19,7 +19,8 @@ struct Error {
 /// What a call without a value to return gives when it succeeds.
 struct Done {};
 
-/// A value, or the reason why there is none. Test it before use; reading the wrong one is undefined.
+/// A value, or the reason why there is none. Test it before use; reading the wrong one is
+/// undefined.
 template <class T, class E = Error>
 class [[nodiscard]] Result {
 public:

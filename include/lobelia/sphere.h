@@ -6,6 +6,7 @@
 
 #include <lobelia/device.h>
 #include <lobelia/image.h>
+#include <lobelia/prefilter.h>
 #include <lobelia/result.h>
 
 namespace lobelia {
@@ -38,6 +39,11 @@ struct SphereShading {
     bool diffuse = true;    // else kd counts as 0
     bool specular = true;   // else ks counts as 0
     bool background = true; // else nothing is drawn behind the sphere
+    /// The maps come from Prefilter: they have a scale and suns beside them, in
+    /// SphereSources::prefilter_state, and `specular_filter` says how the specular one is read.
+    /// Else they hold the averages as they are, read bilinearly.
+    bool prefiltered = false;
+    MapFilter specular_filter = MapFilter::bilinear;
 };
 
 /// What is drawn: the unit sphere at the origin, seen by `camera` in an image of width x height.
@@ -67,9 +73,10 @@ struct SphereTarget {
 /// 1 about the normal N, `specular` those of the exponent n about the mirror direction R, clipped
 /// by the horizon of N. Both may be null for SphereMethod::split_sum.
 struct SphereSources {
-    VkImageView background = VK_NULL_HANDLE; // the environment
-    VkImageView diffuse = VK_NULL_HANDLE;    // P_1
-    VkImageView specular = VK_NULL_HANDLE;   // P_n
+    VkImageView background = VK_NULL_HANDLE;   // the environment
+    VkImageView diffuse = VK_NULL_HANDLE;      // P_1
+    VkImageView specular = VK_NULL_HANDLE;     // P_n
+    VkBuffer prefilter_state = VK_NULL_HANDLE; // with SphereShading::prefiltered
     VkBuffer reference_diffuse = VK_NULL_HANDLE;
     VkBuffer reference_specular = VK_NULL_HANDLE;
 };

@@ -112,13 +112,21 @@ Failure core_failure(const Error& error) {
 
 std::uint64_t image_bytes(const GpuImage& image) {
     const GpuImageDescription& shape = image.description();
-    return std::uint64_t(CHANNELS) * sizeof(float) * shape.width * shape.height * shape.layers;
+    const bool half = shape.format == VK_FORMAT_R16G16B16A16_SFLOAT;
+    return std::uint64_t(CHANNELS) * (half ? 2 : 4) * shape.width * shape.height * shape.layers;
 }
 
 ImageReport image_report(const std::string& name, const GpuImage& image, const char* lifetime) {
     const GpuImageDescription& shape = image.description();
-    return {name,         shape.width,           shape.height,       shape.layers,
-            shape.levels, "R32G32B32A32_SFLOAT", image_bytes(image), lifetime};
+    const bool half = shape.format == VK_FORMAT_R16G16B16A16_SFLOAT;
+    return {name,
+            shape.width,
+            shape.height,
+            shape.layers,
+            shape.levels,
+            half ? "R16G16B16A16_SFLOAT" : "R32G32B32A32_SFLOAT",
+            image_bytes(image),
+            lifetime};
 }
 
 } // namespace lobelia::host

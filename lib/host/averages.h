@@ -42,6 +42,6 @@ double process_milliseconds();
 Failure core_failure(const Error& error);
 
 ImageReport image_report(const std::string& name, const GpuImage& image, const char* lifetime);
-std::uint64_t image_bytes(const GpuImage& image); // of an R32G32B32A32_SFLOAT image of one level
+std::uint64_t image_bytes(const GpuImage& image); // of an image of one level
 
 } // namespace lobelia::host

@@ -29,12 +29,14 @@ Outcome<Choice> choose(const Instance& instance, const std::string& wanted) {
         all.push_back(describe(instance, device));
 
     if (wanted.empty()) {
-        const auto best = std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-            return rank(a.type) < rank(b.type);
-        });
+        const auto best =
+            std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+                return rank(a.type) < rank(b.type);
+            });
         return Choice{instance.physical_devices[std::size_t(best - all.begin())],
-                      "the first " + best->type + " device, in the order discrete, integrated, "
-                                                  "virtual, cpu"};
+                      "the first " + best->type +
+                          " device, in the order discrete, integrated, "
+                          "virtual, cpu"};
     }
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
@@ -121,11 +123,9 @@ Outcome<Done> Gpu::State::make_device() {
                                   .queueCreateInfoCount = 1,
                                   .pQueueCreateInfos = &queue_info};
     VkDevice handle = VK_NULL_HANDLE;
-    const VkResult code =
-        instance->call.vkCreateDevice(physical_device, &info, nullptr, &handle);
+    const VkResult code = instance->call.vkCreateDevice(physical_device, &info, nullptr, &handle);
     if (code != VK_SUCCESS) return failed("create a device", code);
-    context.device = {.handle = handle,
-                      .get_device_proc_addr = instance->call.vkGetDeviceProcAddr};
+    context.device = {.handle = handle, .get_device_proc_addr = instance->call.vkGetDeviceProcAddr};
 #define X(name)                                                                                    \
     context.call.name =                                                                            \
         reinterpret_cast<PFN_##name>(instance->call.vkGetDeviceProcAddr(handle, #name));           \
@@ -140,16 +140,16 @@ Outcome<Done> Gpu::State::make_command_buffer(std::uint32_t queue_family) {
     const VkCommandPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
                                             .queueFamilyIndex = queue_family};
     VkCommandPool pool_handle = VK_NULL_HANDLE;
-    VkResult code = context.call.vkCreateCommandPool(context.device.handle, &pool_info, nullptr,
-                                                     &pool_handle);
+    VkResult code =
+        context.call.vkCreateCommandPool(context.device.handle, &pool_info, nullptr, &pool_handle);
     if (code != VK_SUCCESS) return failed("create a command pool", code);
     pool = {context, pool_handle};
 
-    const VkCommandBufferAllocateInfo allocation{
-        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-        .commandPool = pool_handle,
-        .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-        .commandBufferCount = 1};
+    const VkCommandBufferAllocateInfo allocation{.sType =
+                                                     VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                                 .commandPool = pool_handle,
+                                                 .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                                                 .commandBufferCount = 1};
     code = context.call.vkAllocateCommandBuffers(context.device.handle, &allocation, &commands);
     if (code != VK_SUCCESS) return failed("allocate a command buffer", code);
 
@@ -181,16 +181,30 @@ Gpu::Gpu(Gpu&&) noexcept = default;
 Gpu& Gpu::operator=(Gpu&&) noexcept = default;
 Gpu::~Gpu() = default;
 
-const Device& Gpu::device() const { return state_->context.device; }
-VkInstance Gpu::instance() const { return state_->instance->handle; }
-VkPhysicalDevice Gpu::physical_device() const { return state_->physical_device; }
+const Device& Gpu::device() const {
+    return state_->context.device;
+}
+VkInstance Gpu::instance() const {
+    return state_->instance->handle;
+}
+VkPhysicalDevice Gpu::physical_device() const {
+    return state_->physical_device;
+}
 PFN_vkGetInstanceProcAddr Gpu::get_instance_proc_addr() const {
     return state_->instance->get_instance_proc_addr;
 }
-const GpuDescription& Gpu::description() const { return state_->description; }
-const std::string& Gpu::why_picked() const { return state_->why_picked; }
-const VkPhysicalDeviceLimits& Gpu::limits() const { return state_->limits; }
-std::vector<std::string> Gpu::take_messages() { return std::exchange(state_->instance->messages, {}); }
+const GpuDescription& Gpu::description() const {
+    return state_->description;
+}
+const std::string& Gpu::why_picked() const {
+    return state_->why_picked;
+}
+const VkPhysicalDeviceLimits& Gpu::limits() const {
+    return state_->limits;
+}
+std::vector<std::string> Gpu::take_messages() {
+    return std::exchange(state_->instance->messages, {});
+}
 
 Outcome<GpuBuffer> Gpu::create_buffer(VkDeviceSize bytes, VkBufferUsageFlags usage, Memory memory) {
     return make_buffer(state_->context, state_->memory, bytes, usage, memory);
@@ -249,8 +263,8 @@ Outcome<Image> Gpu::download(const GpuImage& source, VkImageLayout layout, std::
     const std::size_t count =
         std::size_t(4) * copy.imageExtent.width * copy.imageExtent.height * shape.layers;
     const bool half = shape.format == VK_FORMAT_R16G16B16A16_SFLOAT;
-    auto staging = create_buffer(count * (half ? 2 : 4), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                 Memory::host);
+    auto staging =
+        create_buffer(count * (half ? 2 : 4), VK_BUFFER_USAGE_TRANSFER_DST_BIT, Memory::host);
     if (!staging) return staging.error();
     const auto copied = submit([&](VkCommandBuffer commands) {
         record_layout_change(*this, commands, source, layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);

@@ -66,8 +66,8 @@ Outcome<std::unique_ptr<Instance>> Instance::create(const GpuOptions& options) {
 }
 
 Outcome<Done> Instance::start(const GpuOptions& options) {
-    get_instance_proc_addr = options.get_instance_proc_addr ? options.get_instance_proc_addr
-                                                            : &::vkGetInstanceProcAddr;
+    get_instance_proc_addr =
+        options.get_instance_proc_addr ? options.get_instance_proc_addr : &::vkGetInstanceProcAddr;
     const auto create = reinterpret_cast<PFN_vkCreateInstance>(
         get_instance_proc_addr(VK_NULL_HANDLE, "vkCreateInstance"));
     if (!create) return Failure{"the Vulkan loader has no vkCreateInstance, install a newer one"};

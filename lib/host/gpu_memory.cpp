@@ -20,9 +20,15 @@ GpuBuffer::GpuBuffer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 GpuBuffer::GpuBuffer(GpuBuffer&&) noexcept = default;
 GpuBuffer& GpuBuffer::operator=(GpuBuffer&&) noexcept = default;
 GpuBuffer::~GpuBuffer() = default;
-VkBuffer GpuBuffer::handle() const { return parts_->buffer.get(); }
-VkDeviceSize GpuBuffer::size() const { return parts_->size; }
-std::byte* GpuBuffer::data() const { return parts_->data; }
+VkBuffer GpuBuffer::handle() const {
+    return parts_->buffer.get();
+}
+VkDeviceSize GpuBuffer::size() const {
+    return parts_->size;
+}
+std::byte* GpuBuffer::data() const {
+    return parts_->data;
+}
 
 struct GpuImage::Parts {
     GpuImageDescription description;
@@ -35,9 +41,15 @@ GpuImage::GpuImage(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 GpuImage::GpuImage(GpuImage&&) noexcept = default;
 GpuImage& GpuImage::operator=(GpuImage&&) noexcept = default;
 GpuImage::~GpuImage() = default;
-VkImage GpuImage::handle() const { return parts_->image.get(); }
-VkImageView GpuImage::view() const { return parts_->view.get(); }
-const GpuImageDescription& GpuImage::description() const { return parts_->description; }
+VkImage GpuImage::handle() const {
+    return parts_->image.get();
+}
+VkImageView GpuImage::view() const {
+    return parts_->view.get();
+}
+const GpuImageDescription& GpuImage::description() const {
+    return parts_->description;
+}
 
 namespace {
 
@@ -80,10 +92,10 @@ Outcome<GpuBuffer> make_buffer(const HostContext& context,
     VkMemoryRequirements requirements;
     context.call.vkGetBufferMemoryRequirements(device, handle, &requirements);
     const bool mapped = memory == Memory::host;
-    auto allocated = allocate(context, memory_types, requirements,
-                              mapped ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
-                                           VK_MEMORY_PROPERTY_HOST_COHERENT_BIT
-                                     : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    auto allocated =
+        allocate(context, memory_types, requirements,
+                 mapped ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT
+                        : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     if (!allocated) return allocated.error();
     code = context.call.vkBindBufferMemory(device, handle, allocated->get(), 0);
     if (code != VK_SUCCESS) return failed("bind a buffer's memory", code);

@@ -1,59 +1,119 @@
 #include "host/maps.h"
 
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
 #include "host/averages.h"
-#include "host/lobe_map.h"
+#include "host/resize.h"
+#include "host/text.h"
 
 namespace lobelia::host {
 
 namespace {
 
-constexpr std::uint32_t LAMBERT_FACE = 32;
+constexpr std::uint32_t LEAST_FACE = 16;     // that the prefilter reads
+constexpr std::uint32_t LARGEST_FACE = 2048; // likewise
+constexpr std::size_t SUN_COUNT_OFFSET = 8;  // bytes, in PrefilterState of lobelia/suns.glsl
+constexpr VkImageUsageFlags MAP_USAGE =
+    VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
 
-Outcome<GpuImage> make_map(Gpu& gpu, const Image& cube, float exponent, std::uint32_t face,
-                           const std::string& name, WorkReport& report) {
-    PassReport run{.name = name, .invocations = std::uint64_t(6) * face * face};
-    const double start = process_milliseconds();
-    const Image image = lobe_map(cube, exponent, face);
-    run.cpu_ms = process_milliseconds() - start;
-    auto map =
-        gpu.create_image({.width = face,
-                          .height = face,
-                          .layers = 6,
-                          .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-                          .cube = true});
-    if (!map) return map.error();
-    if (const auto done = gpu.upload(image, *map); !done) return done.error();
-    run.bytes_read = cube.texels.size() * sizeof(float);
-    run.bytes_written = image_bytes(*map);
-    report.passes.push_back(run);
-    report.images.push_back(image_report(name, *map, "kept"));
-    return map;
+std::uint32_t source_face(std::uint32_t face) {
+    return std::clamp(std::bit_ceil(face), LEAST_FACE, LARGEST_FACE);
+}
+
+/// The environment's cube map in a size that the prefilter reads, where it is not in one.
+Outcome<std::optional<GpuImage>> resized_cube(Gpu& gpu, const GpuEnvironment& environment) {
+    const std::uint32_t face = environment.cube.description().width;
+    if (source_face(face) == face) return std::optional<GpuImage>{};
+    const auto cube = gpu.download(environment.cube, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    if (!cube) return cube.error();
+    GpuImageDescription shape = environment.cube.description();
+    shape.width = shape.height = source_face(face);
+    auto image = gpu.create_image(shape);
+    if (!image) return image.error();
+    if (const auto done = gpu.upload(resize_faces(*cube, shape.width), *image); !done)
+        return done.error();
+    return std::optional<GpuImage>(std::move(*image));
+}
+
+Outcome<std::vector<GpuImage>> make_images(Gpu& gpu, std::span<const PrefilteredMap> maps) {
+    std::vector<GpuImage> images;
+    for (const PrefilteredMap& map : maps) {
+        auto image = gpu.create_image({.format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                                       .width = map.size,
+                                       .height = map.size,
+                                       .layers = 6,
+                                       .usage = MAP_USAGE,
+                                       .cube = true});
+        if (!image) return image.error();
+        images.push_back(std::move(*image));
+    }
+    return images;
+}
+
+CubeMap lend(const GpuImage& image) {
+    const GpuImageDescription& shape = image.description();
+    return {image.handle(), shape.format, shape.width, shape.levels};
+}
+
+Outcome<Done> run(Gpu& gpu, const PrefilterPlan& plan, const PrefilterJob& job,
+                  const Progress& progress, WorkReport& report) {
+    for (std::uint32_t i = 0; i < plan.pass_count(); ++i) {
+        const PrefilterPass pass = plan.pass(i);
+        PassReport ran{.name = pass.name,
+                       .invocations = pass.invocations,
+                       .bytes_read = pass.bytes_read,
+                       .bytes_written = pass.bytes_written};
+        const auto done =
+            run_pass(gpu, ran, [&](VkCommandBuffer commands) { job.record(commands, i, 1); });
+        if (!done) return done.error();
+        report.passes.push_back(ran);
+        if (progress && !progress(double(i + 1) / plan.pass_count())) return Failure{"cancelled"};
+    }
+    return Done{};
 }
 
 } // namespace
 
-Outcome<SphereMaps> make_sphere_maps(Gpu& gpu, const GpuEnvironment& environment,
-                                     const Material& material, const Progress& progress,
-                                     WorkReport& report) {
-    const bool diffuse = material.diffuse != std::array<float, 3>{};
-    const bool specular = material.specular != std::array<float, 3>{};
-    SphereMaps maps;
-    if (!diffuse && !specular) return maps;
+Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
+                                   std::span<const float> exponents, bool lambert, Quality quality,
+                                   const Progress& progress) {
+    const auto resized = resized_cube(gpu, environment);
+    if (!resized) return resized.error();
+    const GpuImage& source = *resized ? **resized : environment.cube;
+    const auto plan = PrefilterPlan::make({.exponents = exponents,
+                                           .lambert = lambert,
+                                           .quality = quality,
+                                           .source_size = source.description().width});
+    if (!plan) return core_failure(plan.error());
+    const auto prefilter = Prefilter::create(gpu.device());
+    if (!prefilter) return core_failure(prefilter.error());
 
-    const auto cube = gpu.download(environment.cube, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-    if (!cube) return cube.error();
-    if (diffuse) {
-        auto map = make_map(gpu, *cube, 1.0f, LAMBERT_FACE, "diffuse map", report);
-        if (!map) return map.error();
-        maps.diffuse = std::move(*map);
-    }
-    if (progress && !progress(0.5)) return Failure{"cancelled"};
-    if (specular) {
-        const std::uint32_t face = lobe_face(material.exponent, cube->width);
-        auto map = make_map(gpu, *cube, material.exponent, face, "specular map", report);
-        if (!map) return map.error();
-        maps.specular = std::move(*map);
-    }
+    auto images = make_images(gpu, plan->maps());
+    if (!images) return images.error();
+    const auto scratch = gpu.create_buffer(plan->scratch_size(),
+                                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                               VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
+                                           Memory::device);
+    if (!scratch) return scratch.error();
+    auto state =
+        gpu.create_buffer(plan->state_size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Memory::host);
+    if (!state) return state.error();
+
+    std::vector<CubeMap> lent;
+    for (const GpuImage& image : *images) lent.push_back(lend(image));
+    const auto job = prefilter->bind(*plan, lend(source), lent, scratch->handle(), state->handle());
+    if (!job) return core_failure(job.error());
+    PrefilteredMaps maps{
+        {plan->maps().begin(), plan->maps().end()}, std::move(*images), std::move(*state), {}};
+    if (const auto done = run(gpu, *plan, *job, progress, maps.report); !done) return done.error();
+    for (std::size_t i = 0; i < maps.images.size(); ++i)
+        maps.report.images.push_back(image_report(
+            "map n=" + number_text(maps.descriptions[i].exponent), maps.images[i], "kept"));
+    std::uint32_t suns = 0;
+    std::memcpy(&suns, maps.state.data() + SUN_COUNT_OFFSET, sizeof suns);
+    maps.report.suns = suns;
     return maps;
 }
 

@@ -1,16 +1,21 @@
 #pragma once
 
 #include <lobelia/host/work.h>
+#include <lobelia/prefilter.h>
 
 namespace lobelia::host {
 
-/// The maps that the sphere pass fetches from. Null where the material has no use for them.
-struct SphereMaps {
-    std::optional<GpuImage> diffuse;  // P_1
-    std::optional<GpuImage> specular; // P_n
+/// Prefiltered maps with what belongs to them: their scale and suns in `state`.
+struct PrefilteredMaps {
+    std::vector<PrefilteredMap> descriptions;
+    std::vector<GpuImage> images;
+    GpuBuffer state;
+    WorkReport report;
 };
-Outcome<SphereMaps> make_sphere_maps(Gpu& gpu, const GpuEnvironment& environment,
-                                     const Material& material, const Progress& progress,
-                                     WorkReport& report);
+
+/// Runs the prefilter on the environment's cube map, pass by pass.
+Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
+                                   std::span<const float> exponents, bool lambert, Quality quality,
+                                   const Progress& progress);
 
 } // namespace lobelia::host

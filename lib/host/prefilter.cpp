@@ -1,12 +1,16 @@
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
 
 #include <lobelia/exact.h>
 #include <lobelia/host/work.h>
+#include <lobelia/map_reader.h>
 
 #include "host/averages.h"
 #include "host/checks.h"
 #include "host/directions.h"
-#include "host/lobe_map.h"
+#include "host/maps.h"
 
 namespace lobelia::host {
 
@@ -20,9 +24,14 @@ struct Size {
     std::uint32_t width, height;
 };
 
+/// Two texels for each standard deviation 1 / sqrt(n) of the lobe.
+std::uint32_t lobe_face(float exponent) {
+    const auto texels = std::uint32_t(std::ceil(4.0 * std::sqrt(double(exponent))));
+    return std::clamp(std::bit_ceil(texels), LEAST_DEFAULT_FACE, LARGEST_DEFAULT_FACE);
+}
+
 Size size_for(const PrefilterSettings& settings, float exponent) {
-    const std::uint32_t face =
-        std::max(lobe_face(exponent, LARGEST_DEFAULT_FACE), LEAST_DEFAULT_FACE);
+    const std::uint32_t face = lobe_face(exponent);
     if (settings.layout == Layout::cube) {
         const std::uint32_t width = settings.width ? settings.width : face;
         return {width, width};
@@ -42,11 +51,79 @@ Outcome<Done> check(const PrefilterSettings& settings) {
     return Done{};
 }
 
-std::vector<ExactQuery> lobe_queries(Layout layout, const Size& size) {
-    std::vector<ExactQuery> queries;
+Image map_image(Layout layout, const Size& size, std::vector<float> texels) {
+    return {layout, size.width, size.height, layout == Layout::cube ? 6u : 1u, std::move(texels)};
+}
+
+Outcome<Prefiltering> by_exact(Gpu& gpu, const GpuEnvironment& environment,
+                               const PrefilterSettings& settings, const Progress& progress) {
+    const auto exact = Exact::create(gpu.device());
+    if (!exact) return core_failure(exact.error());
+    const ExactSource source = exact_source(environment);
+    const double count = double(settings.exponents.size());
+    Prefiltering result;
+    for (std::size_t i = 0; i < settings.exponents.size(); ++i) {
+        const float exponent = settings.exponents[i];
+        const Size size = size_for(settings, exponent);
+        std::vector<ExactQuery> queries;
+        for (const Vector& axis : texel_directions(settings.layout, size.width, size.height))
+            queries.push_back({.axis = {float(axis.x), float(axis.y), float(axis.z)}});
+        auto averages = average(gpu, *exact, source, {.exponent = exponent}, queries,
+                                share(progress, double(i) / count, double(i + 1) / count));
+        if (!averages) return averages.error();
+        result.maps.push_back(map_image(settings.layout, size, std::move(averages->texels)));
+        result.report.passes.push_back(averages->report);
+    }
+    return result;
+}
+
+/// The values of one prefiltered map at the texel centres of an image.
+Outcome<Image> read_map(Gpu& gpu, const MapReader& reader, const PrefilteredMaps& maps,
+                        std::size_t index, Layout layout, const Size& size, PassReport& run) {
+    std::vector<float> directions;
     for (const Vector& axis : texel_directions(layout, size.width, size.height))
-        queries.push_back({.axis = {float(axis.x), float(axis.y), float(axis.z)}});
-    return queries;
+        directions.insert(directions.end(), {float(axis.x), float(axis.y), float(axis.z), 0.0f});
+    const VkDeviceSize bytes = directions.size() * sizeof(float);
+    auto input = gpu.create_buffer(bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Memory::host);
+    if (!input) return input.error();
+    std::memcpy(input->data(), directions.data(), bytes);
+    auto output = gpu.create_buffer(bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Memory::host);
+    if (!output) return output.error();
+    const auto job = reader.bind({.map = maps.descriptions[index],
+                                  .view = maps.images[index].view(),
+                                  .state = maps.state.handle(),
+                                  .directions = input->handle(),
+                                  .results = output->handle(),
+                                  .count = std::uint32_t(directions.size() / 4)});
+    if (!job) return core_failure(job.error());
+    const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) { job->record(commands); });
+    if (!done) return done.error();
+    run.invocations = directions.size() / 4;
+    run.bytes_read = bytes + image_bytes(maps.images[index]);
+    run.bytes_written = bytes;
+    std::memcpy(directions.data(), output->data(), bytes);
+    return map_image(layout, size, std::move(directions));
+}
+
+Outcome<Prefiltering> by_chain(Gpu& gpu, const GpuEnvironment& environment,
+                               const PrefilterSettings& settings, const Progress& progress) {
+    const auto maps = make_maps(gpu, environment, settings.exponents, false, settings.quality,
+                                share(progress, 0.0, 0.5));
+    if (!maps) return maps.error();
+    const auto reader = MapReader::create(gpu.device());
+    if (!reader) return core_failure(reader.error());
+    const double count = double(settings.exponents.size());
+    Prefiltering result{{}, maps->report};
+    for (std::size_t i = 0; i < settings.exponents.size(); ++i) {
+        PassReport run{.name = "read map"};
+        auto image = read_map(gpu, *reader, *maps, i, settings.layout,
+                              size_for(settings, settings.exponents[i]), run);
+        if (!image) return image.error();
+        result.maps.push_back(std::move(*image));
+        result.report.passes.push_back(run);
+        if (progress && !progress(0.5 + 0.5 * double(i + 1) / count)) return Failure{"cancelled"};
+    }
+    return result;
 }
 
 } // namespace
@@ -54,25 +131,9 @@ std::vector<ExactQuery> lobe_queries(Layout layout, const Size& size) {
 Outcome<Prefiltering> prefilter(Gpu& gpu, const GpuEnvironment& environment,
                                 const PrefilterSettings& settings, const Progress& progress) {
     if (const auto valid = check(settings); !valid) return valid.error();
-    const auto exact = Exact::create(gpu.device());
-    if (!exact) return core_failure(exact.error());
-
-    const ExactSource source = exact_source(environment);
-    const double count = double(settings.exponents.size());
-    Prefiltering result;
-    for (std::size_t i = 0; i < settings.exponents.size(); ++i) {
-        const float exponent = settings.exponents[i];
-        const Size size = size_for(settings, exponent);
-        const auto queries = lobe_queries(settings.layout, size);
-        auto averages = average(gpu, *exact, source, {.exponent = exponent}, queries,
-                                share(progress, double(i) / count, double(i + 1) / count));
-        if (!averages) return averages.error();
-        const std::uint32_t layers = settings.layout == Layout::cube ? 6 : 1;
-        result.maps.push_back(
-            {settings.layout, size.width, size.height, layers, std::move(averages->texels)});
-        result.report.passes.push_back(averages->report);
-    }
-    return result;
+    return settings.method == PrefilterMethod::exact
+               ? by_exact(gpu, environment, settings, progress)
+               : by_chain(gpu, environment, settings, progress);
 }
 
 } // namespace lobelia::host

@@ -97,33 +97,52 @@ Outcome<ReferenceBuffers> make_references(Gpu& gpu, const GpuEnvironment& enviro
     return buffers;
 }
 
+void add(WorkReport& report, const WorkReport& more) {
+    report.passes.insert(report.passes.end(), more.passes.begin(), more.passes.end());
+    report.images.insert(report.images.end(), more.images.begin(), more.images.end());
+    if (more.suns) report.suns = more.suns;
+}
+
 /// Everything that the sphere pass reads, with what owns it.
 struct Inputs {
-    SphereMaps maps;
+    std::optional<PrefilteredMaps> maps;
     ReferenceBuffers references;
     SphereSources sources;
     std::uint64_t bytes = 0;
 };
 
-Outcome<Inputs> make_inputs(Gpu& gpu, const GpuEnvironment& environment, const SphereView& view,
-                            const SphereShading& shading, const Progress& progress,
-                            WorkReport& report) {
+Outcome<Inputs> make_inputs(Gpu& gpu, const GpuEnvironment& environment,
+                            const RenderSettings& settings, SphereShading& shading,
+                            const Progress& progress, WorkReport& report) {
+    const SphereView& view = settings.view;
     Inputs inputs;
-    if (shading.method == SphereMethod::reference) {
+    if (!shading.diffuse && !shading.specular) {
+        // Nothing lights the sphere: it is black.
+    } else if (shading.method == SphereMethod::reference) {
         auto made = make_references(gpu, environment, view, progress, report);
         if (!made) return made.error();
         inputs.references = std::move(*made);
     } else {
-        auto made = make_sphere_maps(gpu, environment, view.material, progress, report);
+        const std::span<const float> exponents(&view.material.exponent, shading.specular ? 1 : 0);
+        auto made =
+            make_maps(gpu, environment, exponents, shading.diffuse, settings.quality, progress);
         if (!made) return made.error();
+        add(report, made->report);
         inputs.maps = std::move(*made);
+        shading.prefiltered = true;
+        shading.specular_filter = inputs.maps->descriptions.front().filter;
     }
 
-    const auto& [diffuse_map, specular_map] = inputs.maps;
+    // Of the maps, the specular one comes first and the diffuse one last.
+    const GpuImage* const diffuse_map =
+        inputs.maps && shading.diffuse ? &inputs.maps->images.back() : nullptr;
+    const GpuImage* const specular_map =
+        inputs.maps && shading.specular ? &inputs.maps->images.front() : nullptr;
     const auto& [diffuse, specular] = inputs.references;
     inputs.sources = {.background = environment.cube.view(),
                       .diffuse = diffuse_map ? diffuse_map->view() : VK_NULL_HANDLE,
                       .specular = specular_map ? specular_map->view() : VK_NULL_HANDLE,
+                      .prefilter_state = inputs.maps ? inputs.maps->state.handle() : VK_NULL_HANDLE,
                       .reference_diffuse = diffuse ? diffuse->handle() : VK_NULL_HANDLE,
                       .reference_specular = specular ? specular->handle() : VK_NULL_HANDLE};
     inputs.bytes = (view.background ? image_bytes(environment.cube) : 0) +
@@ -145,9 +164,10 @@ Outcome<Rendering> render(Gpu& gpu, const GpuEnvironment& environment,
                           const RenderSettings& settings, const Progress& progress) {
     if (const auto valid = check(gpu, settings); !valid) return valid.error();
     const SphereView& view = settings.view;
-    const SphereShading shading = shading_for(settings);
+    SphereShading shading = shading_for(settings);
     Rendering rendering;
-    const auto inputs = make_inputs(gpu, environment, view, shading, progress, rendering.report);
+    const auto inputs =
+        make_inputs(gpu, environment, settings, shading, progress, rendering.report);
     if (!inputs) return inputs.error();
 
     const auto target = ColourTarget::create(gpu, view.width, view.height);

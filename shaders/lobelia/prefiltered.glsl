@@ -1,4 +1,7 @@
-// Reading prefiltered maps. GLSL only: these functions sample textures.
+// Reading prefiltered maps. GLSL only: these functions sample textures. Before it includes this file a
+// shader defines PREFILTER_STATE, the PrefilterState in its buffer, as in
+//     layout(set = 0, binding = 3, std430) readonly buffer State { PrefilterState state; };
+//     #define PREFILTER_STATE state
 #ifndef LOBELIA_PREFILTERED_GLSL
 #define LOBELIA_PREFILTERED_GLSL
 
@@ -38,6 +41,25 @@ vec3 fetch_spline(samplerCube map, float size, vec3 direction) {
     vec3 bottom = mix(textureLod(map, cube_direction(point.face, high.x, high.y), 0.0).rgb,
                       textureLod(map, cube_direction(point.face, low.x, high.y), 0.0).rgb, x.share);
     return mix(bottom, top, y.share);
+}
+
+// P_n about `axis`, of unit length, from what a map of that exponent holds there: its scale undone and
+// its suns added.
+vec3 prefiltered_average(vec3 stored, vec3 axis, float exponent) {
+    vec3 average = stored / PREFILTER_STATE.scale;
+    for (uint i = 0u; i < PREFILTER_STATE.sun_count; ++i) {
+        average += sun_average(PREFILTER_STATE.suns[i], axis, exponent);
+    }
+    return average;
+}
+
+// The same, with the fetch: of a map made for MapFilter::bilinear, and for MapFilter::spline.
+vec3 prefiltered_bilinear(samplerCube map, vec3 axis, float exponent) {
+    return prefiltered_average(textureLod(map, axis, 0.0).rgb, axis, exponent);
+}
+vec3 prefiltered_spline(samplerCube map, vec3 axis, float exponent) {
+    float size = float(textureSize(map, 0).x);
+    return prefiltered_average(fetch_spline(map, size, axis), axis, exponent);
 }
 
 #endif

@@ -51,8 +51,8 @@ public:
     ~GpuBuffer();
 
     VkBuffer handle() const;
-    VkDeviceSize size() const;  // bytes, as asked for
-    std::byte* data() const;    // null for Memory::device
+    VkDeviceSize size() const; // bytes, as asked for
+    std::byte* data() const;   // null for Memory::device
 
 private:
     std::unique_ptr<Parts> parts_;
@@ -69,8 +69,8 @@ struct GpuImageDescription {
     bool cube = false; // six layers that a samplerCube can read
 };
 
-/// An image with its own memory, and a view of the whole of it (cube, or 2D array). Must not outlive
-/// its Gpu.
+/// An image with its own memory, and a view of the whole of it (cube, or 2D array). Must not
+/// outlive its Gpu.
 class GpuImage {
 public:
     struct Parts;
@@ -80,7 +80,8 @@ public:
     ~GpuImage();
 
     VkImage handle() const;
-    VkImageView view() const; // cube where the description says so, 2D otherwise (2D array if layers > 1)
+    VkImageView
+    view() const; // cube where the description says so, 2D otherwise (2D array if layers > 1)
     const GpuImageDescription& description() const;
 
 private:
@@ -110,12 +111,12 @@ public:
     /// Records commands, submits them and waits until the device has finished.
     Outcome<Done> submit(const std::function<void(VkCommandBuffer)>& record);
 
-    /// Replaces level 0 of `target` (R32G32B32A32_SFLOAT, TRANSFER_DST usage) by `source` of the same
-    /// shape. Leaves it in SHADER_READ_ONLY_OPTIMAL, visible to fragment and compute shaders.
+    /// Replaces level 0 of `target` (R32G32B32A32_SFLOAT, TRANSFER_DST usage) by `source` of the
+    /// same shape. Leaves it in SHADER_READ_ONLY_OPTIMAL, visible to fragment and compute shaders.
     Outcome<Done> upload(const Image& source, const GpuImage& target);
 
-    /// Reads one level of `source` (R32G32B32A32_SFLOAT or R16G16B16A16_SFLOAT, TRANSFER_SRC usage),
-    /// which is in `layout` and stays in it.
+    /// Reads one level of `source` (R32G32B32A32_SFLOAT or R16G16B16A16_SFLOAT, TRANSFER_SRC
+    /// usage), which is in `layout` and stays in it.
     Outcome<Image> download(const GpuImage& source, VkImageLayout layout, std::uint32_t level = 0);
 
     /// Validation messages since the last call; always empty without validation.
@@ -127,8 +128,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Records a change of layout of all levels and layers of `image`, which waits for everything before
-/// it and is seen by everything after it.
+/// Records a change of layout of all levels and layers of `image`, which waits for everything
+/// before it and is seen by everything after it.
 void record_layout_change(const Gpu& gpu, VkCommandBuffer commands, const GpuImage& image,
                           VkImageLayout from, VkImageLayout to);
 

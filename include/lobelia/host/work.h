@@ -40,6 +40,7 @@ struct ImageReport {
 struct WorkReport {
     std::vector<PassReport> passes;
     std::vector<ImageReport> images;
+    std::optional<std::uint32_t> suns; // taken out of the maps, where there was a prefilter
 };
 
 /// An environment on the device: the panorama as it was read, if it was one, and the cube map made
@@ -54,13 +55,14 @@ struct GpuEnvironment {
 /// where `face` is 0.
 Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face = 0);
 
-/// The built-in environment, made on the device from formulas: a clear sky, a ground, soft boxes and
-/// a small bright sun, 1024 x 512.
+/// The built-in environment, made on the device from formulas: a clear sky, a ground, soft boxes
+/// and a small bright sun, 1024 x 512.
 Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face = 0);
 
 struct RenderSettings {
     SphereView view;
     SphereMethod method = SphereMethod::split_sum;
+    Quality quality = Quality::normal; // of the maps; the reference uses none
 };
 
 struct Rendering {
@@ -76,13 +78,18 @@ Outcome<Rendering> render(Gpu& gpu, const GpuEnvironment& environment,
 /// Why a material is refused, or nothing. `allow_energy_gain` lets kd + ks exceed 1.
 std::optional<Failure> check_material(const Material& material, bool allow_energy_gain);
 
-enum class PrefilterMethod { exact };
+enum class PrefilterMethod {
+    chain, // Prefilter, read at the map's texel centres by MapReader
+    exact, // Exact at the map's texel centres
+};
 
 struct PrefilterSettings {
-    PrefilterMethod method = PrefilterMethod::exact;
-    std::vector<float> exponents; // one map each; 1 is the Lambert lobe
+    PrefilterMethod method = PrefilterMethod::chain;
+    Quality quality = Quality::normal; // of the chain
+    std::vector<float> exponents;      // one map each; 1 is the Lambert lobe
     Layout layout = Layout::cube;
-    std::uint32_t width = 0; // edge of a cube's face, or width of the panorama; 0: what the lobe needs
+    std::uint32_t width =
+        0; // edge of a cube's face, or width of the panorama; 0: what the lobe needs
     std::uint32_t height = 0; // of the panorama; 0: half its width
 };
 

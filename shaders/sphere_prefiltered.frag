@@ -1,0 +1,28 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+#include "lobelia/albedo.glsl"
+#include "lobelia/suns.glsl"
+#include "sphere_pass.glsl"
+
+layout(constant_id = 3) const bool SPLINE = false; // how the specular map is read
+
+layout(set = 0, binding = 1) uniform samplerCube diffuse_map;
+layout(set = 0, binding = 2) uniform samplerCube specular_map;
+layout(set = 0, binding = 3, std430) readonly buffer State { PrefilterState state; };
+
+#define PREFILTER_STATE state
+#include "lobelia/prefiltered.glsl"
+
+vec3 surface_radiance(SurfacePoint point) {
+    vec3 radiance = vec3(0.0);
+    if (DIFFUSE)
+        radiance += diffuse_colour() * prefiltered_bilinear(diffuse_map, point.normal, 1.0);
+    if (SPECULAR) {
+        float n = params.exponent;
+        vec3 average = SPLINE ? prefiltered_spline(specular_map, point.mirror, n)
+                              : prefiltered_bilinear(specular_map, point.mirror, n);
+        radiance += specular_colour() * phong_albedo(point.cos_view, n) * average;
+    }
+    return radiance;
+}
