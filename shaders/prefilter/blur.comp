@@ -159,7 +159,7 @@ void main() {
             uvec3 texel = uvec3(corner + uvec2(i & 1, i >> 1), face);
             vec3 average = sums[i * FACES + face] * share;
             if (TO_IMAGE) {
-                imageStore(map, ivec3(texel), vec4(min(average, vec3(65504.0)), 1.0));
+                imageStore(map, ivec3(texel), vec4(nearest_half(average), 1.0));
             } else {
                 store_texel(texel, size, margin, average);
             }

@@ -73,6 +73,10 @@ void add_pair(vec3 centre, vec3 radial, ChartPoint taps[2], ivec3 elements, bvec
     }
 }
 
+vec4 map_texel(int map, int face) {
+    return vec4(nearest_half(sums[map * FACES + face] / weight_sums[map]), 1.0);
+}
+
 void main() {
     uvec2 at = gl_GlobalInvocationID.xy;
     if (at.x >= size || at.y >= size) return;
@@ -120,9 +124,9 @@ void main() {
 
     [[unroll]] for (int face = 0; face < FACES; ++face) {
         ivec3 texel = ivec3(at, face);
-        imageStore(map_0, texel, vec4(sums[face] / weight_sums[0], 1.0));
-        if (MAPS > 1) imageStore(map_1, texel, vec4(sums[FACES + face] / weight_sums[1], 1.0));
-        if (MAPS > 2) imageStore(map_2, texel, vec4(sums[2 * FACES + face] / weight_sums[2], 1.0));
-        if (MAPS > 3) imageStore(map_3, texel, vec4(sums[3 * FACES + face] / weight_sums[3], 1.0));
+        imageStore(map_0, texel, map_texel(0, face));
+        if (MAPS > 1) imageStore(map_1, texel, map_texel(1, face));
+        if (MAPS > 2) imageStore(map_2, texel, map_texel(2, face));
+        if (MAPS > 3) imageStore(map_3, texel, map_texel(3, face));
     }
 }

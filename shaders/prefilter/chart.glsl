@@ -36,6 +36,13 @@ uvec2 pack_texel(vec3 value) {
     return uvec2(halves.x | (halves.y << 16), halves.z | 0x3c000000u);
 }
 
+// The nearest half, still as a float. A store to an image may round either way, and one that always
+// rounds down loses light: what it is given needs no rounding.
+vec3 nearest_half(vec3 value) {
+    uvec3 halves = to_halves(value);
+    return vec3(unpackHalf2x16(halves.x | (halves.y << 16)), unpackHalf2x16(halves.z).x);
+}
+
 // Halves without sign, infinity and NaN become floats by a shift, too small by 2^112, which the
 // weights make up for: the built-in functions cost a CPU device more than the fetch.
 const float UNPACKED = 5.192296858534828e33;

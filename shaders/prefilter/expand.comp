@@ -2,6 +2,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
+#include "prefilter/chart.glsl"
 #include "prefilter/harmonics.glsl"
 
 layout(local_size_x = 64) in;
@@ -83,6 +84,6 @@ void main() {
                    imaginary_sign(octant, kind / 2, kind & 1) * imaginary[kind];
         }
         ivec3 texel = ivec3(mirrored_texel(towards, octant, size));
-        imageStore(map, texel, vec4(clamp(sum, 0.0, 65504.0), 1.0));
+        imageStore(map, texel, vec4(nearest_half(max(sum, 0.0)), 1.0));
     }
 }
