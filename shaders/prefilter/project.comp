@@ -51,6 +51,16 @@ float without_excess(vec3 towards, float square) {
     return share;
 }
 
+// A constant that is taken out of the light before the sums, and put into degree 0 exactly: so constant
+// light stays the constant, and the sums' errors are of what is left. The least of eight texels.
+vec3 even_light() {
+    vec3 least = vec3(65504.0);
+    for (uint octant = 0u; octant < 8u; ++octant) {
+        least = min(least, texel_at(mirrored_texel(octant_direction(0u, size), octant, size)));
+    }
+    return least;
+}
+
 void main() {
     int m = int(gl_LocalInvocationIndex);
     if (m > DEGREE) return;
@@ -65,6 +75,7 @@ void main() {
         imaginary[l] = vec3(0.0);
     }
     float first = first_of_order(m);
+    vec3 even = even_light();
 
     for (uint i = 0u; i < CHUNK; ++i) {
         vec3 towards = octant_direction(gl_WorkGroupID.x * CHUNK + i, size);
@@ -72,7 +83,7 @@ void main() {
         vec3 real_light[2] = vec3[](vec3(0.0), vec3(0.0));
         vec3 imaginary_light[2] = vec3[](vec3(0.0), vec3(0.0));
         for (uint octant = 0u; octant < 8u; ++octant) {
-            vec3 light = texel_at(mirrored_texel(towards, octant, size));
+            vec3 light = texel_at(mirrored_texel(towards, octant, size)) - even;
             [[unroll]] for (int odd = 0; odd < 2; ++odd) {
                 real_light[odd] += real_sign(octant, m & 1, (m + odd) & 1) * light;
                 imaginary_light[odd] += imaginary_sign(octant, m & 1, (m + odd) & 1) * light;
@@ -102,7 +113,9 @@ void main() {
     [[unroll]] for (int l = 0; l <= DEGREE; ++l) {
         if (l < m) continue;
         float ascending = l == m ? first : up[l];
+        vec3 real_sum = real[l] * texel_area;
+        if (l == 0 && gl_WorkGroupID.x == 0u) real_sum += even / first; // 1 / first is sqrt(4 pi)
         partials[base + uint(term(l, m))] =
-            Term(vec4(real[l] * texel_area, ascending), vec4(imaginary[l] * texel_area, down[l]));
+            Term(vec4(real_sum, ascending), vec4(imaginary[l] * texel_area, down[l]));
     }
 }
