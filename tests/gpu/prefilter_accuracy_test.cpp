@@ -97,6 +97,9 @@ struct SunPlace {
     const char* name;
     int x, y; // texel of face +Z
 };
+std::ostream& operator<<(std::ostream& out, const SunPlace& place) {
+    return out << place.name;
+}
 constexpr int SUN_SOURCE = 256;
 constexpr SunPlace SUN_PLACES[] = {
     {"centre", SUN_SOURCE / 2, SUN_SOURCE / 2}, {"edge", SUN_SOURCE / 3, 0}, {"corner", 0, 0}};
@@ -191,6 +194,9 @@ struct Photograph {
     std::string name;
     std::vector<float> exponents;
 };
+std::ostream& operator<<(std::ostream& out, const Photograph& photograph) {
+    return out << photograph.name;
+}
 
 class PhotographTest : public PrefilterAccuracyTest,
                        public testing::WithParamInterface<Photograph> {};
