@@ -4,9 +4,11 @@
 // The overlap of a cube texel with a panorama texel follows from Green's theorem. With the measure
 // m = 1 - sin(latitude), the solid angle of a region is the integral of m over longitude along its
 // boundary; clamping m to a panorama row leaves the part in that row, and cutting the boundary at a
-// column's meridians the part in that column (meridians themselves add nothing). Neighbours walk
-// their common edge through the same nodes in opposite directions, so the overlaps of one panorama
-// texel add up to its solid angle: no light is lost or doubled, however small its source.
+// column's meridians the part in that column (meridians themselves add nothing). Between two
+// meridians m is taken as linear in longitude, with its exact mean, so that a row's edge cuts it
+// where it does. Neighbours walk their common edge through the same points in opposite directions,
+// so the overlaps of one panorama texel add up to its solid angle: no light is lost or doubled,
+// however small its source.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
@@ -25,12 +27,8 @@ layout(push_constant) uniform Params {
     uint width;   // of the panorama
     uint height;
     uint size;    // of a cube face
-    uint columns; // `width`, or a multiple of it that makes wedges narrow enough for the quadrature
+    uint columns; // `width`, or a multiple of it that makes m all but linear across one
 };
-
-// Gauss-Legendre nodes and weights on [0, 1].
-const float NODES[3] = float[](0.1127016653792583, 0.5, 0.8872983346207417);
-const float WEIGHTS[3] = float[](5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0);
 
 // 1 - sin(latitude) of a point of the cube, without cancellation near the north pole.
 float measure(vec3 p) {
@@ -43,6 +41,12 @@ float measure(vec3 p) {
 float row_measure(uint row) {
     float s = sin_turns(float(row) / float(4u * height));
     return 2.0 * s * s;
+}
+
+// How much the measure grows across a row: the difference of the above without its cancellation.
+float row_height(uint row) {
+    return 2.0 * sin_turns(float(2u * row + 1u) / float(4u * height)) *
+           sin_turns(1.0 / float(4u * height));
 }
 
 // Row, with its fraction, in which the measure lies.
@@ -68,9 +72,55 @@ vec2 clip(vec2 interval, float fa, float fb) {
     return interval;
 }
 
-// Radiance times solid angle, and solid angle, of the part of a cube texel that lies in every
-// TEAM-th column of the panorama, from column number `lane` of those it touches.
-vec4 integrate(uvec3 id, uint lane) {
+// A piece of boundary between two meridians: the measure at its ends, and the longitude it covers,
+// signed by the direction of the walk.
+struct Piece {
+    float from;
+    float to;
+    float longitude;
+};
+
+// The part of the edge from a to b that `inside` tells, as an interval of its parameter.
+Piece piece_of(vec3 a, vec3 b, vec2 inside) {
+    float span = max(inside.y - inside.x, 0.0) * cross_2d(a.xz, b.xz);
+    if (span == 0.0) return Piece(0.0, 0.0, 0.0); // empty, or along a meridian
+    vec3 start = mix(a, b, inside.x);
+    vec3 middle = mix(a, b, 0.5 * (inside.x + inside.y));
+    vec3 end = mix(a, b, inside.y);
+    vec3 m = vec3(measure(start), measure(middle), measure(end));
+    vec3 turn = vec3(1.0, 4.0, 1.0) / 6.0 / // Simpson's rule
+                vec3(dot(start.xz, start.xz), dot(middle.xz, middle.xz), dot(end.xz, end.xz));
+    float turned = turn.x + turn.y + turn.z;
+    float bend = dot(turn, m) / turned - 0.5 * (m.x + m.z);
+    return Piece(m.x + bend, m.z + bend, span * turned);
+}
+
+// What a piece cuts off between the measures `above` and `below`: mean height times longitude.
+float overlap_of(Piece piece, float above, float below) {
+    float low = min(piece.from, piece.to);
+    float high = max(piece.from, piece.to);
+    float low_inside = clamp(low, above, below);
+    float high_inside = clamp(high, above, below);
+    if (low_inside == high_inside) return piece.longitude * (low_inside - above);
+    float inside = (high_inside - low_inside) * (0.5 * (low_inside + high_inside) - above);
+    return piece.longitude * (inside + (high - high_inside) * (below - above)) / (high - low);
+}
+
+// A quarter of radiance times solid angle and of solid angle, so that no sum of finite radiance is
+// infinite; and between which radiances the average lies.
+struct Light {
+    vec4 sum;
+    vec3 least;
+    vec3 most;
+};
+
+Light add(Light a, Light b) {
+    return Light(a.sum + b.sum, min(a.least, b.least), max(a.most, b.most));
+}
+
+// The part of a cube texel that lies in every TEAM-th column of the panorama, from column number
+// `lane` of those it touches.
+Light integrate(uvec3 id, uint lane) {
     vec2 low = (vec2(2u * id.xy) - float(size)) / float(size);
     vec2 high = (vec2(2u * id.xy + 2u) - float(size)) / float(size);
 
@@ -121,24 +171,17 @@ vec4 integrate(uvec3 id, uint lane) {
         last_column = int(columns) - 1;
     }
 
-    vec4 sum = vec4(0.0);
+    Light light = Light(vec4(0.0), vec3(3.4028235e38), vec3(0.0));
     for (int column = first_column + int(lane); column <= last_column; column += int(TEAM)) {
         vec2 west = meridian(column);
         vec2 east = meridian(column + 1);
-        float m[12];
-        float longitude[12]; // what each node stands for, signed by the direction of the walk
+        Piece pieces[4];
         for (int edge = 0; edge < 4; ++edge) {
             vec3 a = corners[edge];
             vec3 b = corners[edge + 1];
             vec2 inside = clip(vec2(0.0, 1.0), cross_2d(west, a.xz), cross_2d(west, b.xz));
             inside = clip(inside, cross_2d(a.xz, east), cross_2d(b.xz, east));
-            float span = max(inside.y - inside.x, 0.0) * cross_2d(a.xz, b.xz);
-            for (int node = 0; node < 3; ++node) {
-                vec3 p = mix(a, b, mix(inside.x, inside.y, NODES[node]));
-                float square = dot(p.xz, p.xz);
-                m[3 * edge + node] = measure(p);
-                longitude[3 * edge + node] = span == 0.0 ? 0.0 : span * WEIGHTS[node] / square;
-            }
+            pieces[edge] = piece_of(a, b, inside);
         }
 
         int wrapped = (column % int(columns) + int(columns)) % int(columns);
@@ -148,33 +191,38 @@ vec4 integrate(uvec3 id, uint lane) {
         for (uint row = first_row; row <= last_row; ++row) {
             float below = row_measure(row + 1u);
             float overlap = 0.0;
-            for (int i = 0; i < 12; ++i) {
-                overlap += longitude[i] * (clamp(m[i], above, below) - above);
-            }
+            for (int edge = 0; edge < 4; ++edge) overlap += overlap_of(pieces[edge], above, below);
             // Walks around mirrored texels run backwards; rounding must not make weights negative.
-            overlap = max(mirrored ? -overlap : overlap, 0.0);
+            overlap = max(mirrored ? -overlap : overlap, 0.0) * 0.25 * row_height(row) /
+                      (below - above);
             above = below;
+            if (overlap == 0.0) continue;
             int y = int(mirrored ? height - 1u - row : row);
-            column_sum += overlap * vec4(texelFetch(panorama, ivec2(x, y), 0).rgb, 1.0);
+            vec3 radiance = texelFetch(panorama, ivec2(x, y), 0).rgb;
+            column_sum += overlap * vec4(radiance, 1.0);
+            light.least = min(light.least, radiance);
+            light.most = max(light.most, radiance);
         }
-        sum += column_sum;
+        light.sum += column_sum;
     }
-    return sum;
+    return light;
 }
 
-shared vec4 sums[64];
+shared Light lights[64];
 
 void main() {
     uint lane = TEAM == 1u ? 0u : gl_LocalInvocationIndex;
     uvec3 id = TEAM == 1u ? gl_GlobalInvocationID : gl_WorkGroupID;
-    vec4 sum = id.x < size ? integrate(id, lane) : vec4(0.0);
+    if (TEAM == 1u && id.x >= size) return;
+    Light light = integrate(id, lane);
     if (TEAM > 1u) {
-        sums[lane] = sum;
+        lights[lane] = light;
         for (uint half_team = TEAM / 2u; half_team > 0u; half_team /= 2u) {
             barrier();
-            if (lane < half_team) sums[lane] += sums[lane + half_team];
+            if (lane < half_team) lights[lane] = add(lights[lane], lights[lane + half_team]);
         }
-        sum = sums[0];
+        light = lights[0];
     }
-    if (lane == 0u && id.x < size) imageStore(cube, ivec3(id), vec4(sum.rgb / sum.a, 1.0));
+    vec3 average = clamp(light.sum.rgb / light.sum.a, light.least, light.most);
+    if (lane == 0u) imageStore(cube, ivec3(id), vec4(average, 1.0));
 }

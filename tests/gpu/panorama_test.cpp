@@ -1,0 +1,122 @@
+#include "panorama_fixture.h"
+
+#include "support/real_panoramas.h"
+
+// What becomes of the light as a whole.
+namespace lobelia::test {
+namespace {
+
+TEST_F(PanoramaTest, LeavesAConstantPanoramaAsItIs) {
+    for (const Size panorama : SMALL_PANORAMAS)
+        for (std::uint32_t size : {1u, 2u, 3u, 8u, 17u, 33u})
+            for (const std::array<float, 3>& light :
+                 {std::array{0.0f, 1.0f, 0.18f}, {1e-8f, 65504.0f, FLT_MAX}}) {
+                const Image cube = resample(
+                    even_panorama(panorama.width, panorama.height, light[0], light[1], light[2]),
+                    size);
+                for (std::size_t i = 0; i < cube.texels.size(); ++i)
+                    ASSERT_EQ(cube.texels[i], i % 4 == 3 ? 1.0f : light[i % 4])
+                        << panorama << " to " << size << ", float " << i;
+            }
+}
+
+// Three suns, one a channel, each one texel in the dark: no light is lost or doubled.
+void expect_suns_kept(const Image& panorama, const Image& cube, double tolerance) {
+    const oracle::Rgb before = mean(panorama);
+    const oracle::Rgb after = mean(cube);
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(after[c] / before[c], 1, tolerance)
+            << panorama.width << " x " << panorama.height << " to " << cube.width << " channel "
+            << c;
+}
+
+Image three_suns(Size size, const std::array<std::array<std::uint32_t, 2>, 3>& places) {
+    Image image = even_panorama(size.width, size.height, 0, 0, 0);
+    for (std::size_t c = 0; c < 3; ++c) image.texel(0, places[c][0], places[c][1])[c] = 1e9f;
+    return image;
+}
+
+constexpr double MEAN_TOLERANCE = 1e-4;
+
+TEST_F(PanoramaTest, KeepsTheLightOfSunsOfOneTexel) {
+    oracle::Random random(1);
+    for (const Size size : SMALL_PANORAMAS)
+        for (std::uint32_t face : {1u, 2u, 3u, 8u, 17u, 64u}) {
+            const auto anywhere = [&] {
+                return std::array{std::uint32_t(random.below(int(size.width))),
+                                  std::uint32_t(random.below(int(size.height)))};
+            };
+            const auto any_column = [&] { return anywhere()[0]; };
+            const auto any_row = [&] { return anywhere()[1]; };
+            const Image inside = three_suns(size, {anywhere(), anywhere(), anywhere()});
+            const Image rim = three_suns(size, {std::array{any_column(), 0u},
+                                                {any_column(), size.height - 1},
+                                                {size.width - 1, any_row()}});
+            for (const Image& panorama : {inside, rim})
+                expect_suns_kept(panorama, resample(panorama, face), MEAN_TOLERANCE);
+        }
+}
+
+TEST_F(PanoramaTest, KeepsTheLightOfSunsOfOneTexelInLargeMaps) {
+    // Where rounding is worst: texels of both maps are small. The seam, the poles, anywhere.
+    for (const Size size : {Size{1023, 511}, {1024, 512}})
+        for (std::uint32_t face : {1u, 8u, 64u, 255u, 256u, 512u, 1024u}) {
+            if (face == 512 && size.width == 1023) continue; // for time
+            const Image panorama =
+                three_suns(size, {std::array{face % size.width, 0u},
+                                  {size.width - 1, size.height / 3},
+                                  {(face * 37 + 11) % size.width, size.height - 1 - face % 200}});
+            expect_suns_kept(panorama, resample(panorama, face), MEAN_TOLERANCE);
+        }
+}
+
+TEST_F(PanoramaTest, KeepsTheLightWhereOneTexelCoversAsManyAsAllowed) {
+    // The last column and row: what is left out where an invocation's loops end early.
+    const struct {
+        Size panorama;
+        std::uint32_t face;
+    } cases[] = {{{16384, 1}, 1}, {{16384, 2}, 1},   {{16384, 7}, 1},   {{1, 16384}, 1},
+                 {{300, 396}, 1}, {{1200, 95}, 1},   {{301, 400}, 1},   {{2700, 2700}, 1},
+                 {{512, 690}, 3}, {{16384, 13}, 64}, {{16384, 200}, 64}};
+    for (const auto& [size, face] : cases) {
+        const Image panorama = three_suns(size, {std::array{size.width - 1, 0u},
+                                                 {size.width - 1, size.height / 2},
+                                                 {size.width / 2, size.height - 1}});
+        expect_suns_kept(panorama, resample(panorama, face), MEAN_TOLERANCE);
+    }
+}
+
+TEST_F(PanoramaTest, StaysBetweenTheLeastAndTheMostLight) {
+    for (const Size size : SMALL_PANORAMAS)
+        for (std::uint32_t face : {1u, 2u, 3u, 8u, 17u, 64u, 255u}) {
+            const Image panorama = noise(size, 2 + face);
+            const Range before = range(panorama);
+            const Range after = range(resample(panorama, face));
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_GE(after.least[c], before.least[c]) << size << " to " << face;
+                EXPECT_LE(after.most[c], before.most[c]) << size << " to " << face;
+            }
+        }
+}
+
+class RealPanoramaTest : public PanoramaTest, public testing::WithParamInterface<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Panoramas, RealPanoramaTest, testing::ValuesIn(REAL_PANORAMAS),
+                         [](const auto& parameter) { return parameter.param; });
+
+TEST_P(RealPanoramaTest, KeepsItsMeanAndItsRange) {
+    if (!has_real_panoramas()) GTEST_SKIP() << "no panoramas in " LOBELIA_PANORAMAS;
+    const Image panorama = real_panorama(GetParam());
+    const Image cube = resample(panorama, panorama.width / 4);
+    const oracle::Rgb before = mean(panorama);
+    const oracle::Rgb after = mean(cube);
+    const Range outer = range(panorama);
+    const Range inner = range(cube);
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(after[c] / before[c], 1, MEAN_TOLERANCE);
+        EXPECT_GE(inner.least[c], outer.least[c]);
+        EXPECT_LE(inner.most[c], outer.most[c]);
+    }
+}
+
+} // namespace
+} // namespace lobelia::test
