@@ -33,7 +33,6 @@ struct Params { // as in exact.comp
     std::uint32_t repeat_columns;
     std::uint32_t repeat_rows;
     std::uint32_t parts;
-    std::uint32_t clipped;
     std::uint32_t first_row;
     std::uint32_t row_count;
     std::uint32_t first_query;
@@ -75,7 +74,8 @@ Schedule schedule(const ExactGrid& grid, const ExactSettings& settings) {
 
     const double share = (1 - std::cos(grid.reach)) / 2; // of the sphere that the lobe covers
     const double rows_in_reach = std::min(1.0, 2 * grid.reach / PI * 1.5) * cut.rows_per_step;
-    const double nodes = share * cut.rows_per_step * grid.columns * grid.order * grid.order +
+    const double cell_cost = grid.order == 1 ? 8.0 : grid.order * grid.order; // in nodes
+    const double nodes = share * cut.rows_per_step * grid.columns * cell_cost +
                          rows_in_reach * grid.columns + double(TEAM) * cut.rows_per_step;
     const double queries = double(settings.nodes_per_step) / nodes;
     cut.queries_per_step =
@@ -106,7 +106,7 @@ const char* broken_rule(const ExactSettings& settings, std::uint32_t width, std:
 struct Exact::State {
     vk::Context context;
     vk::Sampler sampler;
-    vk::ComputePass passes[2][ORDERS]; // panorama, cube; order - 1
+    vk::ComputePass passes[2][2][ORDERS]; // panorama, cube; whole or clipped; order - 1
 };
 
 struct ExactJob::State {
@@ -139,18 +139,19 @@ Result<Exact> Exact::create(const Device& device) {
         auto sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
         if (!sampler) return sampler.error();
         state->sampler = std::move(*sampler);
-        for (std::uint32_t cube = 0; cube < 2; ++cube)
-            for (std::uint32_t order = 1; order <= ORDERS; ++order) {
-                const std::uint32_t constants[] = {cube, order};
-                auto pass =
-                    vk::make_compute_pass(state->context, {.name = "exact",
-                                                           .spirv = SPIRV,
-                                                           .bindings = BINDINGS,
-                                                           .push_constant_size = sizeof(Params),
-                                                           .constants = constants});
-                if (!pass) return pass.error();
-                state->passes[cube][order - 1] = std::move(*pass);
-            }
+        for (std::uint32_t i = 0; i < 4 * ORDERS; ++i) {
+            const std::uint32_t cube = i / ORDERS % 2;
+            const std::uint32_t clipped = i / ORDERS / 2;
+            const std::uint32_t order = i % ORDERS + 1;
+            const std::uint32_t constants[] = {cube, order, clipped};
+            auto pass = vk::make_compute_pass(state->context, {.name = "exact",
+                                                               .spirv = SPIRV,
+                                                               .bindings = BINDINGS,
+                                                               .push_constant_size = sizeof(Params),
+                                                               .constants = constants});
+            if (!pass) return pass.error();
+            state->passes[cube][clipped][order - 1] = std::move(*pass);
+        }
         return Exact(std::move(state));
     });
 }
@@ -183,7 +184,6 @@ Params params_for(const ExactGrid& grid, const ExactSettings& settings) {
             .repeat_columns = grid.repeat_columns,
             .repeat_rows = grid.repeat_rows,
             .parts = grid.parts,
-            .clipped = settings.clipped,
             .cell_width = grid.cell_width,
             .cell_height = grid.cell_height};
 }
@@ -197,7 +197,7 @@ Result<std::unique_ptr<ExactJob::State>>
 bind_source(const std::shared_ptr<const Exact::State>& shared, VkImage image, VkFormat format,
             const ExactGrid& grid, const ExactSettings& settings, const Buffers& buffers) {
     const vk::Context& context = shared->context;
-    const vk::ComputePass& pass = shared->passes[grid.layers > 1][grid.order - 1];
+    const vk::ComputePass& pass = shared->passes[grid.layers > 1][settings.clipped][grid.order - 1];
     auto view = vk::make_level_view(context, image, format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
     if (!view) return view.error();
     auto sets = vk::make_descriptor_sets(context, pass.interface.set_layout.get(), BINDINGS, 1);

@@ -27,7 +27,7 @@ std::span<const Rule> rule(std::uint32_t order) {
 
 // Below this exponent the horizon's cut through a texel matters more than the lobe's curvature:
 // one node a cell, to second order.
-constexpr float CUT_EXPONENT = 4.0f;
+constexpr float CUT_EXPONENT = 8.0f;
 
 // Radians that a cell spans at most, and into how many parts a side a horizon's cut then divides
 // it; smaller cells need fewer. A cut is taken as straight and the solid angle as even across a

@@ -131,7 +131,7 @@ TEST_P(ExactTruthTest, GivesTheSpecularAveragesAboveAHorizon) {
     double worst = 0;
     double worst_weight = 0;
     oracle::Random random(200);
-    for (const Source& source : small_sources(exponent < 1e5f ? 2 : 4)) {
+    for (const Source& source : small_sources(exponent < 1e5f ? 3 : 6)) {
         std::vector<ExactQuery> queries;
         for (int i = 0; i < 8; ++i) {
             const Direction normal = random.direction();
@@ -171,18 +171,24 @@ TEST_P(ExactTruthTest, GivesTheSpecularAveragesAboveAHorizon) {
     RecordProperty("worst_weight", std::to_string(worst_weight));
 }
 
-class ExactRealTest : public ExactTest, public testing::WithParamInterface<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Panoramas, ExactRealTest, testing::ValuesIn(REAL_PANORAMAS));
+class ExactRealTest : public ExactTest, public testing::WithParamInterface<std::size_t> {};
+INSTANTIATE_TEST_SUITE_P(Panoramas, ExactRealTest,
+                         testing::Range(std::size_t(0), REAL_PANORAMAS.size()),
+                         [](const auto& parameter) { return REAL_PANORAMAS[parameter.param]; });
 
 TEST_P(ExactRealTest, AveragesAPhotographedPanorama) {
     if (!has_real_panoramas()) GTEST_SKIP() << "no panoramas in " LOBELIA_PANORAMAS;
-    const host::Image image = real_panorama(GetParam());
+    const std::string name = REAL_PANORAMAS[GetParam()];
+    const host::Image image = real_panorama(name);
     const Source source = source_of(image);
     const host::GpuImage panorama = on_device(gpu, image);
     std::vector<Direction> axes;
-    for (Direction d : oracle::test_directions(16, 300))
-        axes.push_back({float(d.x), float(d.y), float(d.z)});
-    for (float exponent : {0.0f, 1.0f, 4.8f, 16.0f, 64.0f, 256.0f}) {
+    for (Direction d : oracle::test_directions(16, 300)) axes.push_back(rounded(d));
+    // for time, half of the exponents each
+    const std::array<float, 3> exponents =
+        GetParam() % 2 ? std::array{0.0f, 4.8f, 64.0f} : std::array{1.0f, 16.0f, 256.0f};
+    double worst_rms = 0;
+    for (float exponent : exponents) {
         const std::vector<Average> found = averages(panorama, exponent, axes);
         const std::vector<oracle::Rgb> truth = lobe_averages(source, axes, double(exponent));
         std::vector<double> actual, exact_values;
@@ -192,12 +198,11 @@ TEST_P(ExactRealTest, AveragesAPhotographedPanorama) {
                 exact_values.push_back(truth[i][c]);
             }
         const oracle::ErrorMeasures error = oracle::measure_error(actual, exact_values);
-        EXPECT_LE(error.pointwise_rms, 1e-4) << GetParam() << " n " << exponent;
-        RecordProperty("rms_" + std::to_string(int(exponent)),
-                       std::to_string(error.pointwise_rms * 1e6));
-        RecordProperty("max_" + std::to_string(int(exponent)),
-                       std::to_string(error.pointwise_max * 1e6));
+        EXPECT_LE(error.pointwise_rms, 1e-5) << name << " n " << exponent;
+        EXPECT_LE(error.pointwise_max, 1e-4) << name << " n " << exponent;
+        worst_rms = std::max(worst_rms, error.pointwise_rms);
     }
+    RecordProperty("worst_rms_millionths", std::to_string(1e6 * worst_rms));
 }
 
 } // namespace
