@@ -296,9 +296,9 @@ VkDeviceSize ChainLevel::bytes() const {
 Result<PrefilterPlan> PrefilterPlan::make(const PrefilterRequest& request) {
     return vk::guarded([&]() -> Result<PrefilterPlan> {
         const std::uint32_t size = request.source_size;
-        if (size < 16 || size > 2048 || (size & (size - 1)))
+        if (size < 16 || size > 1024 || (size & (size - 1)))
             return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "the source's faces are a power of two from 16 to 2048"};
+                         "the source's faces are a power of two from 16 to 1024"};
         if (request.exponents.empty() && !request.lambert)
             return Error{VK_ERROR_VALIDATION_FAILED_EXT, "a prefilter makes at least one map"};
         for (const float exponent : request.exponents)

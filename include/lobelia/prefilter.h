@@ -33,7 +33,7 @@ struct PrefilterRequest {
     std::span<const float> exponents; // each in [0, 1e6]: a map of P_n at exactly that exponent
     bool lambert = false;             // one map more: P_1 for the diffuse lobe, read bilinearly
     Quality quality = Quality::normal;
-    std::uint32_t source_size = 0; // edge of the source's faces, a power of two from 16 to 4096
+    std::uint32_t source_size = 0; // edge of the source's faces, a power of two from 16 to 1024
 };
 
 /// What one pass costs. Bytes count each texel once (its footprint), those of the source as

@@ -33,7 +33,8 @@ private:
 
 GpuDescription describe(const Instance& instance, VkPhysicalDevice device);
 
-/// The failure of a Vulkan call: what could not be done ("create a fence") and what Vulkan answered.
+/// The failure of a Vulkan call: what could not be done ("create a fence") and what Vulkan
+/// answered.
 Failure failed(const std::string& step, VkResult code);
 
 } // namespace lobelia::host

@@ -13,7 +13,7 @@ namespace lobelia::host {
 namespace {
 
 constexpr std::uint32_t LEAST_FACE = 16;     // that the prefilter reads
-constexpr std::uint32_t LARGEST_FACE = 2048; // likewise
+constexpr std::uint32_t LARGEST_FACE = 1024; // likewise
 constexpr std::size_t SUN_COUNT_OFFSET = 8;  // bytes, in PrefilterState of lobelia/suns.glsl
 constexpr VkImageUsageFlags MAP_USAGE =
     VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;

@@ -53,18 +53,15 @@ std::function<Rgb(Direction)> noise(Random& random, double low, double high) {
 Source random_source(bool cube, Scene scene, int width, int height, std::uint64_t seed) {
     Random random(seed);
     switch (scene) {
-    case Scene::smooth:
-        return make(cube, width, height, smooth(random));
-    case Scene::noise:
-        return make(cube, width, height, noise(random, 1e-2, 1e2));
+    case Scene::smooth: return make(cube, width, height, smooth(random));
+    case Scene::noise: return make(cube, width, height, noise(random, 1e-2, 1e2));
     case Scene::halves: {
         const Direction axis = random.direction();
         const Rgb colour{random.between(0.1, 2), random.between(0.1, 2), random.between(0.1, 2)};
         return make(cube, width, height,
                     [=](Direction d) { return dot(d, axis) > 0 ? colour : Rgb{}; });
     }
-    case Scene::suns:
-        break;
+    case Scene::suns: break;
     }
     Source source = make(cube, width, height, noise(random, 0.05, 0.2));
     const int count = 1 + random.below(5);
@@ -111,14 +108,10 @@ Source cube_of(int size, const std::function<Rgb(Direction)>& radiance) {
 
 const char* name(Scene scene) {
     switch (scene) {
-    case Scene::smooth:
-        return "smooth";
-    case Scene::noise:
-        return "noise";
-    case Scene::suns:
-        return "suns";
-    case Scene::halves:
-        return "halves";
+    case Scene::smooth: return "smooth";
+    case Scene::noise: return "noise";
+    case Scene::suns: return "suns";
+    case Scene::halves: return "halves";
     }
     return "";
 }

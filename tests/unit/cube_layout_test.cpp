@@ -20,18 +20,12 @@ std::array<float, 3> vulkan_direction(unsigned face, unsigned x, unsigned y) {
     const float s = 2.0f * (float(x) + 0.5f) / SIZE - 1.0f;
     const float t = 2.0f * (float(y) + 0.5f) / SIZE - 1.0f;
     switch (face) {
-    case 0:
-        return {1, -t, -s};
-    case 1:
-        return {-1, -t, s};
-    case 2:
-        return {s, 1, t};
-    case 3:
-        return {s, -1, -t};
-    case 4:
-        return {s, -t, 1};
-    default:
-        return {-s, -t, -1};
+    case 0: return {1, -t, -s};
+    case 1: return {-1, -t, s};
+    case 2: return {s, 1, t};
+    case 3: return {s, -1, -t};
+    case 4: return {s, -t, 1};
+    default: return {-s, -t, -1};
     }
 }
 
