@@ -21,7 +21,7 @@ constexpr std::uint32_t BROAD_MAP_SIZE = 32;
 constexpr double CHAIN_EXPONENT = 45;   // below it harmonics are cheaper and better than the chain
 constexpr double HARMONIC_EXPONENT = 1; // below it their series is too long: direct sums
 
-/// What tells the tiers apart; docs/accuracy.md has what they reach.
+/// What tells the tiers apart; docs/prefilter.md has what they reach.
 struct Tier {
     MapFilter filter;
     double texels_per_sigma; // of a map

@@ -34,13 +34,14 @@ Outcome<std::optional<host::Environment>> read_source(const std::string& path,
 
 Outcome<host::GpuEnvironment> upload_source(host::Gpu& gpu,
                                             const std::optional<host::Environment>& source,
-                                            std::uint32_t face, ProgressLine& progress) {
+                                            std::uint32_t face, Quality quality,
+                                            ProgressLine& progress) {
     progress.begin("making the environment's cube map");
     if (face != 0 && source && source->image.layout == host::Layout::cube)
         return host::Failure{"--face is for panoramas; this environment is a cube map of " +
                              std::to_string(source->image.width) + " texels, leave it out"};
-    return source ? host::upload_environment(gpu, source->image, face)
-                  : host::make_builtin_environment(gpu, face);
+    return source ? host::upload_environment(gpu, source->image, face, quality)
+                  : host::make_builtin_environment(gpu, face, quality);
 }
 
 } // namespace lobelia::cli

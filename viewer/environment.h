@@ -15,9 +15,10 @@ namespace lobelia::cli {
 host::Outcome<std::optional<host::Environment>> read_source(const std::string& path,
                                                             ProgressLine& progress);
 
-/// Brings it to the device, or makes the built-in one there.
+/// Brings it to the device, or makes the built-in one there. `face` 0 is what `quality` needs.
 host::Outcome<host::GpuEnvironment> upload_source(host::Gpu& gpu,
                                                   const std::optional<host::Environment>& source,
-                                                  std::uint32_t face, ProgressLine& progress);
+                                                  std::uint32_t face, Quality quality,
+                                                  ProgressLine& progress);
 
 } // namespace lobelia::cli

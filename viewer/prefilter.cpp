@@ -113,7 +113,7 @@ Outcome<Report> prefilter(const PrefilterOptions& options) {
     if (!source) return source.error();
     auto gpu = start_gpu(options.gpu);
     if (!gpu) return gpu.error();
-    const auto environment = upload_source(*gpu, *source, 0, progress);
+    const auto environment = upload_source(*gpu, *source, 0, options.quality, progress);
     if (!environment) return environment.error();
 
     progress.begin("prefiltering");

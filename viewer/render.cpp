@@ -75,7 +75,8 @@ Outcome<Report> render(const RenderOptions& options) {
     if (!source) return source.error();
     auto gpu = start_gpu(options.gpu);
     if (!gpu) return gpu.error();
-    const auto environment = upload_source(*gpu, *source, options.sphere.face, progress);
+    const auto environment =
+        upload_source(*gpu, *source, options.sphere.face, options.sphere.quality, progress);
     if (!environment) return environment.error();
 
     progress.begin("rendering");

@@ -10,12 +10,12 @@
 
 namespace lobelia {
 
-/// How exact the maps are and what they cost. docs/accuracy.md has the figures and the command that
-/// measures them.
+/// How exact the maps are and what they cost. docs/prefilter.md has the figures and the command
+/// that measures them.
 enum class Quality : std::uint32_t {
     fast,   // one bilinear fetch
     normal, // four bilinear fetches (cubic B-spline)
-    high,   // as normal, on a source of twice the size with wider kernels
+    high,   // as normal with wider kernels, meant for a source of twice the size
 };
 
 /// How a map is meant to be read: the blur of that filter is left out of the map.

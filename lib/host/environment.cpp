@@ -23,14 +23,15 @@ GpuImageDescription cube_shape(std::uint32_t face) {
 }
 
 // A texel of the panorama's equator is as wide as one in the middle of a face of width / 4.
-std::uint32_t default_face(std::uint32_t panorama_width) {
-    return std::bit_ceil(std::max((panorama_width + 3) / 4, 1u));
+std::uint32_t default_face(std::uint32_t panorama_width, Quality quality) {
+    const std::uint32_t face = std::bit_ceil(std::max((panorama_width + 3) / 4, 1u));
+    return quality == Quality::high ? 2 * face : face;
 }
 
-Outcome<GpuEnvironment> resample(Gpu& gpu, GpuImage panorama, WorkReport report,
-                                 std::uint32_t face) {
+Outcome<GpuEnvironment> resample(Gpu& gpu, GpuImage panorama, WorkReport report, std::uint32_t face,
+                                 Quality quality) {
     const GpuImageDescription& shape = panorama.description();
-    auto cube = gpu.create_image(cube_shape(face ? face : default_face(shape.width)));
+    auto cube = gpu.create_image(cube_shape(face ? face : default_face(shape.width, quality)));
     if (!cube) return cube.error();
     const auto pass = PanoramaToCube::create(gpu.device());
     if (!pass) return core_failure(pass.error());
@@ -70,7 +71,8 @@ bool is_complete(const Image& image) {
 
 } // namespace
 
-Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face) {
+Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face,
+                                           Quality quality) {
     if (!is_complete(image))
         return Failure{"an environment is one panorama or six square faces of R G B A texels"};
     if (image.layout == Layout::cube) return upload_cube(gpu, image);
@@ -78,10 +80,10 @@ Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::ui
         gpu.create_image({.width = image.width, .height = image.height, .usage = USAGE});
     if (!panorama) return panorama.error();
     if (const auto done = gpu.upload(image, *panorama); !done) return done.error();
-    return resample(gpu, std::move(*panorama), {}, face);
+    return resample(gpu, std::move(*panorama), {}, face, quality);
 }
 
-Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face) {
+Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face, Quality quality) {
     auto panorama = gpu.create_image({.width = SKY_WIDTH, .height = SKY_HEIGHT, .usage = USAGE});
     if (!panorama) return panorama.error();
     const auto sky = Sky::create(gpu.device());
@@ -94,7 +96,7 @@ Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face) {
                    .bytes_written = image_bytes(*panorama)};
     const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) { job->record(commands); });
     if (!done) return done.error();
-    return resample(gpu, std::move(*panorama), {.passes = {run}, .images = {}}, face);
+    return resample(gpu, std::move(*panorama), {.passes = {run}, .images = {}}, face, quality);
 }
 
 } // namespace lobelia::host

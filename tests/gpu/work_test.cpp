@@ -67,6 +67,15 @@ TEST_F(WorkTest, ReportsWhatItDid) {
     EXPECT_EQ(rendering.report.passes.back().bytes_written, 80u * 16);
 }
 
+TEST_F(WorkTest, MakesALargerCubeMapForHighQuality) {
+    const host::Image image = even_panorama(64, 32, 1.0f, 1.0f, 1.0f);
+    const auto face = [&](Quality quality) {
+        return value_of(host::upload_environment(gpu, image, 0, quality)).cube.description().width;
+    };
+    EXPECT_EQ(face(Quality::normal), 16u);
+    EXPECT_EQ(face(Quality::high), 32u);
+}
+
 TEST_F(WorkTest, StopsWhenToldTo) {
     const host::GpuEnvironment environment = upload(even_panorama(64, 32, 1.0f, 1.0f, 1.0f));
     const SphereView view{.material = grey(0.5f, 0.5f, 4.0f), .width = 10, .height = 8};

@@ -9,6 +9,7 @@
 #include <lobelia/host/gpu.h>
 #include <lobelia/host/outcome.h>
 #include <lobelia/host/read.h>
+#include <lobelia/prefilter.h>
 #include <lobelia/sphere.h>
 
 namespace lobelia::host {
@@ -52,12 +53,14 @@ struct GpuEnvironment {
 };
 
 /// Uploads `image` and makes the cube map: `face` texels, or the next power of two >= width / 4
-/// where `face` is 0.
-Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face = 0);
+/// where `face` is 0, twice that for Quality::high.
+Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face = 0,
+                                           Quality quality = Quality::normal);
 
 /// The built-in environment, made on the device from formulas: a clear sky, a ground, soft boxes
 /// and a small bright sun, 1024 x 512.
-Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face = 0);
+Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face = 0,
+                                                 Quality quality = Quality::normal);
 
 struct RenderSettings {
     SphereView view;
