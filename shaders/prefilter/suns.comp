@@ -18,7 +18,7 @@ layout(set = 0, binding = 1, std430) readonly buffer Tiles { vec4 tiles[]; }; //
 layout(push_constant) uniform Params { uint size; };
 
 const float BRIGHT = 64.0; // times the clamped mean
-const int ITERATIONS = 6;
+const uint FINE_SIZE = 64u;      // of a source whose mean is taken texel by texel
 const uint MOST_TILES = 512u; // with bright texels
 const float LARGEST = 3.4e38;
 
@@ -68,16 +68,34 @@ vec3 texel_direction(uvec3 texel) {
 
 vec3 radiance_at(uvec3 texel) { return sane(texelFetch(source, ivec3(texel), 0).rgb); }
 
-// The mean with tiles clamped at 64 times itself, found by going on from no clamp at all.
+// A tile's light with nothing above the threshold: its mean clamped, or where a tile is so much of the
+// sphere that one sun lifts its mean, each of its texels.
+float clamped_light(uint tile, float threshold) {
+    if (size > FINE_SIZE) return min(tiles[tile].x, threshold) * tiles[tile].y;
+    vec2 sum = vec2(0.0); // light times weight, weight
+    for (uint i = 0u; i < TEAM; ++i) {
+        uvec3 texel = texel_of(tile, i);
+        float u = cube_texel_centre(texel.x, size);
+        float v = cube_texel_centre(texel.y, size);
+        float shrink = inversesqrt(1.0 + u * u + v * v);
+        float weight = shrink * shrink * shrink;
+        sum += vec2(min(luminance(radiance_at(texel)), threshold), 1.0) * weight;
+    }
+    return sum.x / sum.y * tiles[tile].y;
+}
+
+// The mean with the light clamped at 64 times itself, found by going on from no clamp at all. Each
+// step takes off the share of the sphere that is clamped, times 64.
 float clamped_mean() {
     float mean = 0.0;
     float threshold = LARGEST;
-    for (int i = 0; i < ITERATIONS; ++i) {
+    int iterations = size > FINE_SIZE ? 6 : 40;
+    for (int i = 0; i < iterations; ++i) {
         float light = 0.0;
         float solid_angle = 0.0;
         for (uint tile = lane; tile < tile_count; tile += TEAM) {
             // A sixteenth, so that the largest numbers do not overflow.
-            light += min(tiles[tile].x, threshold) * tiles[tile].y * 0.0625;
+            light += clamped_light(tile, threshold) * 0.0625;
             solid_angle += tiles[tile].y * 0.0625;
         }
         mean = team_total(light) / team_total(solid_angle);

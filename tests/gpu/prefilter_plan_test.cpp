@@ -38,7 +38,7 @@ TEST(PrefilterPlanTest, RefusesToMakeNothing) {
 TEST(PrefilterPlanTest, NamesTheMapsInTheOrderAskedForThenLambert) {
     const float exponents[] = {700, 0, 1e6f, 64, 64, 4.8f, -0.0f};
     for (Quality quality : {Quality::fast, Quality::normal, Quality::high})
-        for (std::uint32_t size : {16u, 64u, 256u, 2048u}) {
+        for (std::uint32_t size : {16u, 64u, 256u, 1024u}) {
             const PrefilterPlan plan = value_of(PrefilterPlan::make({.exponents = exponents,
                                                                      .lambert = true,
                                                                      .quality = quality,
