@@ -1,91 +1,13 @@
 #include <lobelia/prefilter.h>
 
 #include <algorithm>
-#include <array>
 
-#include "prefilter_plan.h"
-#include "vk/compute_pass.h"
+#include "prefilter_passes.h"
 #include "vk/guard.h"
 
 namespace lobelia {
 
 namespace {
-
-constexpr std::uint32_t STATISTICS_SPIRV[] = {
-#include "statistics.comp.inc"
-};
-constexpr std::uint32_t SUNS_SPIRV[] = {
-#include "suns.comp.inc"
-};
-constexpr std::uint32_t PREPARE_SPIRV[] = {
-#include "prepare.comp.inc"
-};
-constexpr std::uint32_t HALVE_SPIRV[] = {
-#include "halve.comp.inc"
-};
-constexpr std::uint32_t BLUR_SPIRV[] = {
-#include "blur.comp.inc"
-};
-constexpr std::uint32_t PROJECT_SPIRV[] = {
-#include "project.comp.inc"
-};
-constexpr std::uint32_t SUM_SPIRV[] = {
-#include "sum.comp.inc"
-};
-constexpr std::uint32_t EXPAND_SPIRV[] = {
-#include "expand.comp.inc"
-};
-constexpr std::uint32_t BROAD_SPIRV[] = {
-#include "broad.comp.inc"
-};
-
-constexpr VkDescriptorType IMAGE = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-constexpr VkDescriptorType BUFFER = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-constexpr VkDescriptorType TEXELS = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
-constexpr VkDescriptorType MAP = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-
-constexpr VkDescriptorType STATISTICS_BINDINGS[] = {IMAGE, BUFFER, BUFFER}; // source, tiles, state
-constexpr VkDescriptorType PREPARE_BINDINGS[] = {IMAGE, BUFFER, BUFFER};    // source, state, level
-constexpr VkDescriptorType HALVE_BINDINGS[] = {TEXELS, BUFFER};             // source, level
-constexpr VkDescriptorType BLUR_BINDINGS[] = {TEXELS, BUFFER, MAP};         // source, level, map
-constexpr VkDescriptorType PROJECT_BINDINGS[] = {TEXELS, BUFFER};           // source, terms
-constexpr VkDescriptorType SUM_BINDINGS[] = {BUFFER};                       // terms
-constexpr VkDescriptorType EXPAND_BINDINGS[] = {BUFFER, MAP};               // terms, map
-constexpr VkDescriptorType BROAD_BINDINGS[] = {TEXELS, MAP, MAP, MAP, MAP}; // source, maps
-
-// Push constants, as in the shaders.
-struct StatisticsParams {
-    std::uint32_t size;
-};
-struct PrepareParams {
-    std::uint32_t size, margin, block;
-};
-struct HalveParams {
-    std::uint32_t size, margin, source_margin;
-};
-struct BlurParams {
-    std::uint32_t source_size, source_margin, size, margin;
-    float sharpness, quadratic, last_chord, narrowing;
-};
-struct ProjectParams {
-    std::uint32_t size, margin;
-};
-struct SumParams {
-    std::uint32_t chunks;
-};
-struct ExpandParams {
-    std::uint32_t size;
-    std::array<float, DEGREES> eigenvalues;
-};
-struct BroadParams {
-    std::array<float, BROAD_MAPS> exponents;
-    std::uint32_t source_size, size;
-    float narrowing;
-};
-
-constexpr std::uint32_t TO_LEVEL[] = {0};
-constexpr std::uint32_t TO_MAP[] = {1};
-constexpr std::uint32_t MAP_COUNTS[BROAD_MAPS][1] = {{1}, {2}, {3}, {4}};
 
 constexpr std::uint32_t FACES = 6;
 constexpr std::uint32_t GROUP_SIZE = 8;       // local_size_x and _y of all but the next two
@@ -98,13 +20,6 @@ std::uint32_t groups(std::uint32_t size, std::uint32_t group) {
 }
 
 } // namespace
-
-struct Prefilter::State {
-    vk::Context context;
-    vk::Sampler sampler;
-    vk::ComputePass statistics, suns, prepare, halve, blur_level, blur_map, project, sum, expand;
-    vk::ComputePass broad[BROAD_MAPS]; // by the number of maps less one
-};
 
 struct PrefilterJob::State {
     std::shared_ptr<const Prefilter::State> shared;
@@ -124,61 +39,12 @@ struct PrefilterJob::State {
 
     Result<Done> bind(const CubeMap& from, std::span<const CubeMap> to);
     Result<Done> bind_pass(const PlannedPass& planned);
-    const vk::ComputePass& pipeline(const PlannedPass& planned) const;
-    std::span<const VkDescriptorType> bindings(PlannedPass::Kind kind) const;
     std::vector<vk::Resource> resources(const PlannedPass& planned) const;
 
     void begin(VkCommandBuffer commands) const noexcept;
     void end(VkCommandBuffer commands) const noexcept;
     void record_pass(VkCommandBuffer commands, std::uint32_t index) const noexcept;
 };
-
-Prefilter::Prefilter(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
-Prefilter::Prefilter(Prefilter&&) noexcept = default;
-Prefilter& Prefilter::operator=(Prefilter&&) noexcept = default;
-Prefilter::~Prefilter() = default;
-
-Result<Prefilter> Prefilter::create(const Device& device) {
-    return vk::guarded([&]() -> Result<Prefilter> {
-        auto context = vk::load(device);
-        if (!context) return context.error();
-        auto state = std::make_shared<State>();
-        state->context = *context;
-        auto sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
-        if (!sampler) return sampler.error();
-        state->sampler = std::move(*sampler);
-
-        struct Made {
-            vk::ComputePass State::*pass;
-            vk::ComputePassDescription description;
-        };
-        const Made all[] = {
-            {&State::statistics,
-             {"statistics", STATISTICS_SPIRV, STATISTICS_BINDINGS, sizeof(StatisticsParams)}},
-            {&State::suns, {"suns", SUNS_SPIRV, STATISTICS_BINDINGS, sizeof(StatisticsParams)}},
-            {&State::prepare, {"prepare", PREPARE_SPIRV, PREPARE_BINDINGS, sizeof(PrepareParams)}},
-            {&State::halve, {"halve", HALVE_SPIRV, HALVE_BINDINGS, sizeof(HalveParams)}},
-            {&State::blur_level,
-             {"blur level", BLUR_SPIRV, BLUR_BINDINGS, sizeof(BlurParams), TO_LEVEL}},
-            {&State::blur_map, {"blur map", BLUR_SPIRV, BLUR_BINDINGS, sizeof(BlurParams), TO_MAP}},
-            {&State::project, {"project", PROJECT_SPIRV, PROJECT_BINDINGS, sizeof(ProjectParams)}},
-            {&State::sum, {"sum", SUM_SPIRV, SUM_BINDINGS, sizeof(SumParams)}},
-            {&State::expand, {"expand", EXPAND_SPIRV, EXPAND_BINDINGS, sizeof(ExpandParams)}},
-        };
-        for (const Made& made : all) {
-            auto pass = vk::make_compute_pass(state->context, made.description);
-            if (!pass) return pass.error();
-            state.get()->*made.pass = std::move(*pass);
-        }
-        for (std::uint32_t i = 0; i < BROAD_MAPS; ++i) {
-            auto pass = vk::make_compute_pass(state->context, {"broad", BROAD_SPIRV, BROAD_BINDINGS,
-                                                               sizeof(BroadParams), MAP_COUNTS[i]});
-            if (!pass) return pass.error();
-            state->broad[i] = std::move(*pass);
-        }
-        return Prefilter(std::move(state));
-    });
-}
 
 Result<PrefilterJob> Prefilter::bind(const PrefilterPlan& plan, const CubeMap& source,
                                      std::span<const CubeMap> maps, VkBuffer scratch,
@@ -228,46 +94,14 @@ Result<Done> PrefilterJob::State::bind(const CubeMap& from, std::span<const Cube
 }
 
 Result<Done> PrefilterJob::State::bind_pass(const PlannedPass& planned) {
-    const vk::ComputePass& pass = pipeline(planned);
+    const vk::ComputePass& pass = shared->pipeline(planned);
     auto made = vk::make_descriptor_sets(shared->context, pass.interface.set_layout.get(),
-                                         bindings(planned.kind), 1);
+                                         prefilter_bindings(planned.kind), 1);
     if (!made) return made.error();
-    vk::write_descriptor_set(shared->context, made->sets[0], bindings(planned.kind),
+    vk::write_descriptor_set(shared->context, made->sets[0], prefilter_bindings(planned.kind),
                              resources(planned));
     sets.push_back(std::move(*made));
     return Done{};
-}
-
-const vk::ComputePass& PrefilterJob::State::pipeline(const PlannedPass& planned) const {
-    switch (planned.kind) {
-    case PlannedPass::Kind::statistics: return shared->statistics;
-    case PlannedPass::Kind::suns: return shared->suns;
-    case PlannedPass::Kind::prepare: return shared->prepare;
-    case PlannedPass::Kind::halve: return shared->halve;
-    case PlannedPass::Kind::blur_level: return shared->blur_level;
-    case PlannedPass::Kind::blur_map: return shared->blur_map;
-    case PlannedPass::Kind::project: return shared->project;
-    case PlannedPass::Kind::sum: return shared->sum;
-    case PlannedPass::Kind::expand: return shared->expand;
-    case PlannedPass::Kind::broad: break;
-    }
-    return shared->broad[planned.maps.size() - 1];
-}
-
-std::span<const VkDescriptorType> PrefilterJob::State::bindings(PlannedPass::Kind kind) const {
-    switch (kind) {
-    case PlannedPass::Kind::statistics:
-    case PlannedPass::Kind::suns: return STATISTICS_BINDINGS;
-    case PlannedPass::Kind::prepare: return PREPARE_BINDINGS;
-    case PlannedPass::Kind::halve: return HALVE_BINDINGS;
-    case PlannedPass::Kind::blur_level:
-    case PlannedPass::Kind::blur_map: return BLUR_BINDINGS;
-    case PlannedPass::Kind::project: return PROJECT_BINDINGS;
-    case PlannedPass::Kind::sum: return SUM_BINDINGS;
-    case PlannedPass::Kind::expand: return EXPAND_BINDINGS;
-    case PlannedPass::Kind::broad: break;
-    }
-    return BROAD_BINDINGS;
 }
 
 // A binding that a pass has no use for repeats another of its kind: every binding must be valid.
@@ -327,7 +161,7 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
                                       std::uint32_t index) const noexcept {
     const vk::Context& context = shared->context;
     const PlannedPass& planned = pass(index);
-    const vk::ComputePass& compute = pipeline(planned);
+    const vk::ComputePass& compute = shared->pipeline(planned);
     const VkDescriptorSet set = sets[index].sets[0];
     const auto dispatch = [&](const auto& params, std::uint32_t across, std::uint32_t layers) {
         vk::begin_pass(context, commands, compute, set, params);

@@ -60,4 +60,7 @@ struct PrefilterPlan::State {
     VkDeviceSize scratch_bytes;
 };
 
+/// Fills in the maps, levels and passes for a request that is valid.
+void plan_passes(const PrefilterRequest& request, PrefilterPlan::State& plan);
+
 } // namespace lobelia

@@ -1,0 +1,290 @@
+#include "prefilter_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lobelia {
+
+namespace {
+
+constexpr double NONE = std::numeric_limits<double>::infinity();
+constexpr VkDeviceSize ALIGNMENT = 256;        // no device asks for more at a buffer view's offset
+constexpr std::uint32_t LEAST_CHAIN_SIZE = 32; // coarser grids have an error of their own
+constexpr std::uint32_t LAMBERT_SIZE = 32;
+constexpr std::uint32_t BROAD_MAP_SIZE = 32;
+constexpr double CHAIN_EXPONENT = 45;   // below it harmonics are cheaper and better than the chain
+constexpr double HARMONIC_EXPONENT = 1; // below it their series is too long: direct sums
+
+/// What tells the tiers apart; docs/prefilter.md has what they reach.
+struct Tier {
+    MapFilter filter;
+    double texels_per_sigma; // of a map
+    double cut;              // end of a kernel in standard deviations
+    double sharp_cut;        // the same for maps of SHARP_EXPONENT on, which cost most
+};
+constexpr Tier TIERS[] = {
+    {MapFilter::bilinear, 1.4, 3.5, 3.5},
+    {MapFilter::spline, 1.4, 4.0, 3.6},
+    {MapFilter::spline, 1.7, 4.5, 4.5},
+};
+
+constexpr double HALVE_TEXELS_PER_SIGMA = 1.0;  // of a kernel that reads a level made by halving
+constexpr double CHAIN_TEXELS_PER_SIGMA = 0.71; // of a level that the chain goes on from
+constexpr double SHARP_EXPONENT = 1000;
+constexpr double CHAIN_RATIO = 2.2; // least ratio of exponents from a level to a map
+
+double sharpest_for(double size, double texels_per_sigma) {
+    return std::pow(size / (2 * texels_per_sigma), 2);
+}
+
+std::uint32_t size_for(double exponent, double texels_per_sigma, std::uint32_t largest) {
+    if (exponent < 10) return BROAD_MAP_SIZE;
+    std::uint32_t size = std::min(exponent < CHAIN_EXPONENT ? 64 : LEAST_CHAIN_SIZE, largest);
+    while (size < largest && sharpest_for(size, texels_per_sigma) < exponent) size *= 2;
+    return size;
+}
+
+double texel_variance(std::uint32_t size, double texels_squared) {
+    return texels_squared * 4.0 / (double(size) * size);
+}
+
+/// Mean over the sphere of what a variance in the face's plane is in radians squared per axis: for
+/// kernels so wide that they see all of it.
+double mean_on_sphere(double face_variance) {
+    constexpr int N = 64;
+    double sum = 0, weights = 0;
+    for (int i = 0; i < N; ++i)
+        for (int j = 0; j < N; ++j) {
+            const double u = (i + 0.5) / N, v = (j + 0.5) / N;
+            const double square = 1 + u * u + v * v;
+            const double weight = std::pow(square, -1.5);
+            sum += weight * 0.5 * (1 / square + 1 / (square * square));
+            weights += weight;
+        }
+    return face_variance * sum / weights;
+}
+
+class Planner {
+public:
+    Planner(const PrefilterRequest& request, PrefilterPlan::State& plan)
+        : tier_(TIERS[std::size_t(request.quality)]), plan_(plan) {}
+
+    void run(const PrefilterRequest& request) {
+        plan_.source_size = request.source_size;
+        for (const float exponent : request.exponents) add_map(exponent);
+        if (request.lambert) plan_.maps.push_back({1.0f, LAMBERT_SIZE, MapFilter::bilinear});
+        start();
+        for (std::uint32_t i = 0; i < plan_.maps.size(); ++i)
+            if (double(plan_.maps[i].exponent) >= CHAIN_EXPONENT) plan_map(i);
+        plan_low();
+        lay_out();
+    }
+
+private:
+    void add_map(float exponent) {
+        plan_.maps.push_back({exponent,
+                              size_for(double(exponent), tier_.texels_per_sigma, plan_.source_size),
+                              tier_.filter});
+    }
+
+    double sharpest() const {
+        double most = 0;
+        for (const PrefilteredMap& map : plan_.maps) most = std::max(most, double(map.exponent));
+        return most;
+    }
+
+    /// Statistics, suns, and the first level: the source, box-averaged where no map is so sharp as
+    /// to see it.
+    void start() {
+        plan_.passes.push_back({PlannedPass::Kind::statistics});
+        plan_.passes.push_back({PlannedPass::Kind::suns});
+        std::uint32_t size = std::min(2 * LEAST_CHAIN_SIZE, plan_.source_size);
+        while (size < plan_.source_size &&
+               sharpest_for(size / 2, HALVE_TEXELS_PER_SIGMA) < sharpest())
+            size *= 2;
+        PlannedPass prepare{PlannedPass::Kind::prepare};
+        prepare.target = add_level(size, NONE, texel_variance(size, 1.0 / 12), 2);
+        plan_.passes.push_back(prepare);
+        halved_ = prepare.target;
+        if (size > LEAST_CHAIN_SIZE) halved_ = halve(prepare.target);
+    }
+
+    std::uint32_t add_level(std::uint32_t size, double exponent, double face_variance,
+                            std::uint32_t margin) {
+        plan_.levels.push_back({size, std::min(margin, size), 0, exponent, face_variance});
+        return std::uint32_t(plan_.levels.size() - 1);
+    }
+
+    std::uint32_t halve(std::uint32_t source) {
+        const ChainLevel from = plan_.levels[source];
+        PlannedPass pass{PlannedPass::Kind::halve};
+        pass.source = source;
+        pass.target = add_level(from.size / 2, from.exponent,
+                                from.face_variance + texel_variance(from.size, 0.75), 2);
+        plan_.passes.push_back(pass);
+        return pass.target;
+    }
+
+    /// The coarsest level that a lobe of this exponent can be made from.
+    std::uint32_t source_for(double exponent) {
+        const double limit = sharpest_for(plan_.levels[halved_].size, HALVE_TEXELS_PER_SIGMA);
+        if (exponent > limit) return 0;
+        std::uint32_t level = halved_;
+        for (std::size_t i = 0;; ++i) {
+            const std::uint32_t size = plan_.levels[level].size / 2;
+            const double next = sharpest_for(size, CHAIN_TEXELS_PER_SIGMA);
+            if (size < LEAST_CHAIN_SIZE || next < CHAIN_RATIO * exponent) return level;
+            if (i == chain_.size()) chain_.push_back(blur_level(level, size, next));
+            level = chain_[i];
+        }
+    }
+
+    std::uint32_t blur_level(std::uint32_t source, std::uint32_t size, double exponent) {
+        PlannedPass pass{PlannedPass::Kind::blur_level};
+        pass.source = source;
+        pass.target = add_level(size, exponent, 0, 2);
+        set_kernel(pass, exponent, 0);
+        plan_.passes.push_back(pass);
+        return pass.target;
+    }
+
+    void plan_map(std::uint32_t index) {
+        const PrefilteredMap& map = plan_.maps[index];
+        PlannedPass pass{PlannedPass::Kind::blur_map};
+        pass.source = source_for(double(map.exponent));
+        pass.maps = {index};
+        set_kernel(pass, double(map.exponent), read_variance(map));
+        plan_.passes.push_back(pass);
+    }
+
+    static double read_variance(const PrefilteredMap& map) {
+        return texel_variance(map.size, map.filter == MapFilter::spline ? 1.0 / 3 : 1.0 / 6);
+    }
+
+    /// From the source's lobe to `exponent`, less what the source has been blurred beyond its lobe
+    /// and what reading the target will blur.
+    void set_kernel(PlannedPass& pass, double exponent, double reading) {
+        ChainLevel& source = plan_.levels[pass.source];
+        const double variance = 1 / exponent - 1 / source.exponent;
+        pass.narrowing = source.face_variance + reading;
+        const double left = variance - pass.narrowing;
+        const double texel = 2.0 / source.size;
+        if (left < 0.25 * texel * texel) { // sharper than the source: the source as it is
+            pass.kernel = {1 / texel, 0.5, 1e-4 * texel * texel};
+            pass.narrowing = 0;
+            return;
+        }
+        const bool sharp = pass.kind == PlannedPass::Kind::blur_map && exponent >= SHARP_EXPONENT;
+        const double reach =
+            (sharp ? tier_.sharp_cut : tier_.cut) * std::sqrt(variance - pass.narrowing / 2);
+        const double last_chord = reach < 1.3 ? 1 - std::cos(reach) : 1 - std::cos(1.3);
+        const std::vector<double> to = lobe_eigenvalues(exponent, 3);
+        const std::vector<double> from = lobe_eigenvalues(source.exponent, 3);
+        pass.kernel = match_kernel({to[1] / from[1], to[2] / from[2]}, last_chord);
+        need_margin(source, std::min(reach, 1.3));
+    }
+
+    /// A kernel reaches furthest into a neighbour at a corner, by 2.13 units of the face's plane a
+    /// radian at most.
+    static void need_margin(ChainLevel& level, double reach) {
+        const double texels = 2.13 * reach * level.size / 2 + 2;
+        const std::uint32_t even = (std::uint32_t(std::ceil(texels)) + 1) / 2 * 2;
+        level.margin = std::max(level.margin, std::min(even, level.size));
+    }
+
+    /// Maps below the chain: spherical harmonics, and direct sums for the lowest.
+    void plan_low() {
+        std::vector<std::uint32_t> harmonic, broad;
+        for (std::uint32_t i = 0; i < plan_.maps.size(); ++i) {
+            const double exponent = double(plan_.maps[i].exponent);
+            if (exponent < HARMONIC_EXPONENT)
+                broad.push_back(i);
+            else if (exponent < CHAIN_EXPONENT)
+                harmonic.push_back(i);
+        }
+        if (harmonic.empty() && broad.empty()) return;
+        const std::uint32_t source = low_source();
+        if (!harmonic.empty()) plan_harmonics(source, harmonic);
+        for (std::size_t first = 0; first < broad.size(); first += BROAD_MAPS) {
+            const std::size_t end = std::min(first + BROAD_MAPS, broad.size());
+            plan_broad(source, {broad.begin() + std::ptrdiff_t(first),
+                                broad.begin() + std::ptrdiff_t(end)});
+        }
+    }
+
+    /// A level of the least size, blurred evenly.
+    std::uint32_t low_source() {
+        const double exponent = sharpest_for(LEAST_CHAIN_SIZE, CHAIN_TEXELS_PER_SIGMA);
+        if (plan_.levels[halved_].size > LEAST_CHAIN_SIZE)
+            return source_for(exponent / CHAIN_RATIO);
+        if (plan_.levels[0].size > LEAST_CHAIN_SIZE)
+            return blur_level(0, LEAST_CHAIN_SIZE, exponent);
+        return 0;
+    }
+
+    void plan_harmonics(std::uint32_t source, const std::vector<std::uint32_t>& maps) {
+        PlannedPass project{PlannedPass::Kind::project};
+        project.source = source;
+        plan_.passes.push_back(project);
+        plan_.passes.push_back({PlannedPass::Kind::sum});
+        const ChainLevel& from = plan_.levels[source];
+        plan_.terms_bytes =
+            VkDeviceSize(6) * from.size * from.size / CHUNK_TEXELS * TERMS * TERM_BYTES;
+        for (const std::uint32_t index : maps) {
+            const PrefilteredMap& map = plan_.maps[index];
+            const double blurred = mean_on_sphere(from.face_variance + read_variance(map));
+            PlannedPass expand{PlannedPass::Kind::expand};
+            expand.maps = {index};
+            const std::vector<double> to = lobe_eigenvalues(double(map.exponent), DEGREES);
+            const std::vector<double> done = lobe_eigenvalues(from.exponent, DEGREES);
+            for (std::uint32_t l = 0; l < DEGREES; ++l)
+                expand.values.push_back(to[l] / done[l] * std::exp(0.5 * l * (l + 1) * blurred));
+            plan_.passes.push_back(expand);
+        }
+    }
+
+    void plan_broad(std::uint32_t source, std::vector<std::uint32_t> maps) {
+        ChainLevel& from = plan_.levels[source];
+        from.margin = from.size; // sees all of the neighbours
+        PlannedPass pass{PlannedPass::Kind::broad};
+        pass.source = source;
+        pass.narrowing = read_variance(plan_.maps[maps[0]]);
+        const double blurred =
+            lobe_eigenvalues(from.exponent, 2)[1] * (1 - mean_on_sphere(from.face_variance));
+        for (const std::uint32_t index : maps) {
+            const double wanted = lobe_eigenvalues(double(plan_.maps[index].exponent), 2)[1];
+            pass.values.push_back(std::max(0.0, exponent_of(wanted / blurred)));
+        }
+        pass.maps = std::move(maps);
+        plan_.passes.push_back(pass);
+    }
+
+    void lay_out() {
+        const std::uint64_t across = plan_.source_size / 8;
+        plan_.tiles_bytes = 6 * across * across * 16;
+        const auto align = [](VkDeviceSize size) {
+            return (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+        };
+        plan_.terms_offset = align(plan_.tiles_bytes);
+        VkDeviceSize offset = plan_.terms_offset + align(plan_.terms_bytes);
+        for (ChainLevel& level : plan_.levels) {
+            level.offset = offset;
+            offset += align(level.bytes());
+        }
+        plan_.scratch_bytes = offset;
+    }
+
+    const Tier& tier_;
+    PrefilterPlan::State& plan_;
+    std::uint32_t halved_ = 0;         // the level that the chain starts from
+    std::vector<std::uint32_t> chain_; // levels made so far, each half the size of the last
+};
+
+} // namespace
+
+void plan_passes(const PrefilterRequest& request, PrefilterPlan::State& plan) {
+    Planner(request, plan).run(request);
+}
+
+} // namespace lobelia
