@@ -5,6 +5,7 @@
 #define PREFILTER_CHART_GLSL
 
 #include "lobelia/cube.glsl"
+#include "radiance.glsl"
 
 // A place on the chart of a face: the point of the cube's surface in the face's own frame (right,
 // down, forward), made a unit vector, and the solid angle per unit of the chart's area there.
@@ -22,25 +23,9 @@ ChartPoint chart_point(vec2 at) {
     return ChartPoint(p * shrink, nothing ? 0.0 : shrink * shrink * shrink);
 }
 
-// Halves of values that are not negative, to the nearest; the largest half is the most.
-uvec3 to_halves(vec3 value) {
-    value = min(value, vec3(65504.0));
-    uvec3 bits = floatBitsToUint(value);
-    uvec3 normal = (bits - 0x38000000u + 0x0fffu + ((bits >> 13) & 1u)) >> 13;
-    uvec3 denormal = uvec3(value * 16777216.0 + 0.5);
-    return mix(normal, denormal, lessThan(value, vec3(6.103515625e-5)));
-}
-
 uvec2 pack_texel(vec3 value) {
     uvec3 halves = to_halves(value);
     return uvec2(halves.x | (halves.y << 16), halves.z | 0x3c000000u);
-}
-
-// The nearest half, still as a float. A store to an image may round either way, and one that always
-// rounds down loses light: what it is given needs no rounding.
-vec3 nearest_half(vec3 value) {
-    uvec3 halves = to_halves(value);
-    return vec3(unpackHalf2x16(halves.x | (halves.y << 16)), unpackHalf2x16(halves.z).x);
 }
 
 // Halves without sign, infinity and NaN become floats by a shift, too small by 2^112, which the

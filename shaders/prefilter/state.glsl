@@ -4,6 +4,7 @@
 #define PREFILTER_STATE_GLSL
 
 #include "lobelia/suns.glsl"
+#include "radiance.glsl"
 
 layout(set = 0, binding = STATE_BINDING, std430) buffer State { PrefilterState state; };
 
@@ -19,18 +20,5 @@ bool near_sun(vec3 direction, uint suns) {
     }
     return false;
 }
-
-// Radiance as the integration takes it: NaN and negative values are 0, and nothing is above 2^120
-// (1.3e36), infinity included, so that no sum of it overflows. Tests bits, since a shader may assume
-// that NaN does not occur.
-const uint LARGEST_RADIANCE = 0x7b800000u;
-float sane(float value) {
-    uint bits = floatBitsToUint(value);
-    bool negative = (bits & 0x80000000u) != 0u;
-    bool nan = (bits & 0x7fffffffu) > 0x7f800000u;
-    if (negative || nan) return 0.0;
-    return uintBitsToFloat(min(bits, LARGEST_RADIANCE));
-}
-vec3 sane(vec3 radiance) { return vec3(sane(radiance.r), sane(radiance.g), sane(radiance.b)); }
 
 #endif
