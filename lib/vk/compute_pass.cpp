@@ -61,6 +61,17 @@ Result<ImageView> make_level_view(const Context& context, VkImage image, VkForma
     return make<ImageView>(context, context.call.vkCreateImageView, info, "create image view");
 }
 
+Result<ImageView> make_cube_view(const Context& context, VkImage image, VkFormat format,
+                                 std::uint32_t levels) {
+    const VkImageViewCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+        .image = image,
+        .viewType = VK_IMAGE_VIEW_TYPE_CUBE,
+        .format = format,
+        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, levels, 0, 6}};
+    return make<ImageView>(context, context.call.vkCreateImageView, info, "create image view");
+}
+
 void memory_barrier(const Context& context, VkCommandBuffer commands,
                     VkPipelineStageFlags from_stage, VkAccessFlags from,
                     VkPipelineStageFlags to_stage, VkAccessFlags to) {

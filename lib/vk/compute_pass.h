@@ -59,6 +59,10 @@ void image_barrier(const Context& context, VkCommandBuffer commands, VkImage ima
 Result<ImageView> make_level_view(const Context& context, VkImage image, VkFormat format,
                                   VkImageViewType type, std::uint32_t level = 0);
 
+/// A view of the first `levels` levels of a cube map, to be sampled by direction.
+Result<ImageView> make_cube_view(const Context& context, VkImage image, VkFormat format,
+                                 std::uint32_t levels);
+
 /// Makes what was written at `from` visible to `to` for the commands that follow.
 void memory_barrier(const Context& context, VkCommandBuffer commands,
                     VkPipelineStageFlags from_stage, VkAccessFlags from,
