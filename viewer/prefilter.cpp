@@ -22,6 +22,7 @@ struct PrefilterOptions {
     std::vector<float> exponents;
     bool lambert = false;
     host::PrefilterMethod method = host::PrefilterMethod::chain;
+    std::optional<std::uint32_t> samples;
     Quality quality = Quality::normal;
     host::Layout layout = host::Layout::cube;
     std::optional<std::uint32_t> face;
@@ -32,13 +33,28 @@ struct PrefilterOptions {
 };
 
 const char* method_name(host::PrefilterMethod method) {
-    return method == host::PrefilterMethod::chain ? "chain" : "exact";
+    switch (method) {
+    case host::PrefilterMethod::chain: return "chain";
+    case host::PrefilterMethod::importance: return "importance";
+    case host::PrefilterMethod::filtered_importance: return "filtered-importance";
+    case host::PrefilterMethod::exact: return "exact";
+    }
+    return "";
+}
+
+bool takes_samples(host::PrefilterMethod method) {
+    return method == host::PrefilterMethod::importance ||
+           method == host::PrefilterMethod::filtered_importance;
 }
 
 Outcome<host::PrefilterMethod> parse_method(std::string_view text) {
-    for (const auto method : {host::PrefilterMethod::chain, host::PrefilterMethod::exact})
+    for (const auto method :
+         {host::PrefilterMethod::chain, host::PrefilterMethod::importance,
+          host::PrefilterMethod::filtered_importance, host::PrefilterMethod::exact})
         if (text == method_name(method)) return method;
-    return host::Failure{"\"" + std::string(text) + "\" is no method; there are chain and exact"};
+    return host::Failure{"\"" + std::string(text) +
+                         "\" is no method; there are chain, importance, filtered-importance and "
+                         "exact"};
 }
 
 Outcome<host::Layout> parse_layout(std::string_view text) {
@@ -71,6 +87,9 @@ void check_usage(const PrefilterOptions& options) {
             exponents.end())
             throw CLI::ValidationError("--exponents",
                                        number_text(exponents[i]) + " is there twice");
+    if (options.samples && !takes_samples(options.method))
+        throw CLI::ValidationError("--samples",
+                                   "is for --method importance and filtered-importance");
     if (options.face && options.layout != host::Layout::cube)
         throw CLI::ValidationError("--face", "is for --layout cube; latlong takes --size WxH");
     if (options.size && options.layout != host::Layout::latlong)
@@ -82,6 +101,7 @@ host::PrefilterSettings settings_of(const PrefilterOptions& options) {
                                      .quality = options.quality,
                                      .exponents = exponents_of(options),
                                      .layout = options.layout};
+    if (options.samples) settings.samples = *options.samples;
     if (options.face) settings.width = *options.face;
     if (options.size) {
         settings.width = options.size->width;
@@ -157,8 +177,10 @@ void add_prefilter(CLI::App& program, int& status) {
                "Phong exponents, from 0 to 1e6, one map each");
     verb->add_flag("--lambert", options->lambert, "the diffuse lobe, which is exponent 1");
     add_parsed(*verb, "--method", parse_method, &options->method, "NAME",
-               "chain (the prefilter, the default) or exact (integrates over every texel for every "
-               "texel)");
+               "chain (the prefilter, the default), importance or filtered-importance (the usual "
+               "methods), or exact (integrates over every texel for every texel)");
+    add_parsed(*verb, "--samples", parse_count, &options->samples, "N",
+               "samples of a texel for the two importance methods, 1 to 65535; default: 64");
     add_parsed(*verb, "--quality", parse_quality, &options->quality, "NAME",
                "of the chain: fast, normal (the default) or high");
     add_parsed(*verb, "--layout", parse_layout, &options->layout, "NAME",

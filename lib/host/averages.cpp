@@ -60,7 +60,7 @@ ExactSource exact_source(const GpuEnvironment& environment) {
     if (is_panorama)
         source.panorama = {image.handle(), shape.format, shape.width, shape.height};
     else
-        source.cube = {image.handle(), shape.format, shape.width, shape.levels};
+        source.cube = lend_cube(image);
     return source;
 }
 
@@ -110,10 +110,23 @@ Failure core_failure(const Error& error) {
                    std::to_string(int(error.code)) + ")"};
 }
 
-std::uint64_t image_bytes(const GpuImage& image) {
+std::uint64_t image_texels(const GpuImage& image) {
     const GpuImageDescription& shape = image.description();
-    const bool half = shape.format == VK_FORMAT_R16G16B16A16_SFLOAT;
-    return std::uint64_t(CHANNELS) * (half ? 2 : 4) * shape.width * shape.height * shape.layers;
+    std::uint64_t texels = 0;
+    for (std::uint32_t level = 0; level < shape.levels; ++level)
+        texels += std::uint64_t(std::max(shape.width >> level, 1u)) *
+                  std::max(shape.height >> level, 1u) * shape.layers;
+    return texels;
+}
+
+std::uint64_t image_bytes(const GpuImage& image) {
+    const bool half = image.description().format == VK_FORMAT_R16G16B16A16_SFLOAT;
+    return CHANNELS * (half ? 2 : 4) * image_texels(image);
+}
+
+CubeMap lend_cube(const GpuImage& image) {
+    const GpuImageDescription& shape = image.description();
+    return {image.handle(), shape.format, shape.width, shape.levels};
 }
 
 ImageReport image_report(const std::string& name, const GpuImage& image, const char* lifetime) {

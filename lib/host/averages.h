@@ -42,6 +42,12 @@ double process_milliseconds();
 Failure core_failure(const Error& error);
 
 ImageReport image_report(const std::string& name, const GpuImage& image, const char* lifetime);
-std::uint64_t image_bytes(const GpuImage& image); // of an image of one level
+
+/// Texels and bytes of all levels and layers.
+std::uint64_t image_texels(const GpuImage& image);
+std::uint64_t image_bytes(const GpuImage& image);
+
+/// An image as the core library takes cube maps.
+CubeMap lend_cube(const GpuImage& image);
 
 } // namespace lobelia::host

@@ -22,21 +22,6 @@ std::uint32_t source_face(std::uint32_t face) {
     return std::clamp(std::bit_ceil(face), LEAST_FACE, LARGEST_FACE);
 }
 
-/// The environment's cube map in a size that the prefilter reads, where it is not in one.
-Outcome<std::optional<GpuImage>> resized_cube(Gpu& gpu, const GpuEnvironment& environment) {
-    const std::uint32_t face = environment.cube.description().width;
-    if (source_face(face) == face) return std::optional<GpuImage>{};
-    const auto cube = gpu.download(environment.cube, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-    if (!cube) return cube.error();
-    GpuImageDescription shape = environment.cube.description();
-    shape.width = shape.height = source_face(face);
-    auto image = gpu.create_image(shape);
-    if (!image) return image.error();
-    if (const auto done = gpu.upload(resize_faces(*cube, shape.width), *image); !done)
-        return done.error();
-    return std::optional<GpuImage>(std::move(*image));
-}
-
 Outcome<std::vector<GpuImage>> make_images(Gpu& gpu, std::span<const PrefilteredMap> maps) {
     std::vector<GpuImage> images;
     for (const PrefilteredMap& map : maps) {
@@ -50,11 +35,6 @@ Outcome<std::vector<GpuImage>> make_images(Gpu& gpu, std::span<const Prefiltered
         images.push_back(std::move(*image));
     }
     return images;
-}
-
-CubeMap lend(const GpuImage& image) {
-    const GpuImageDescription& shape = image.description();
-    return {image.handle(), shape.format, shape.width, shape.levels};
 }
 
 Outcome<Done> run(Gpu& gpu, const PrefilterPlan& plan, const PrefilterJob& job,
@@ -75,6 +55,20 @@ Outcome<Done> run(Gpu& gpu, const PrefilterPlan& plan, const PrefilterJob& job,
 }
 
 } // namespace
+
+Outcome<std::optional<GpuImage>> resized_cube(Gpu& gpu, const GpuEnvironment& environment) {
+    const std::uint32_t face = environment.cube.description().width;
+    if (source_face(face) == face) return std::optional<GpuImage>{};
+    const auto cube = gpu.download(environment.cube, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    if (!cube) return cube.error();
+    GpuImageDescription shape = environment.cube.description();
+    shape.width = shape.height = source_face(face);
+    auto image = gpu.create_image(shape);
+    if (!image) return image.error();
+    if (const auto done = gpu.upload(resize_faces(*cube, shape.width), *image); !done)
+        return done.error();
+    return std::optional<GpuImage>(std::move(*image));
+}
 
 Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
                                    std::span<const float> exponents, bool lambert, Quality quality,
@@ -102,8 +96,9 @@ Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
     if (!state) return state.error();
 
     std::vector<CubeMap> lent;
-    for (const GpuImage& image : *images) lent.push_back(lend(image));
-    const auto job = prefilter->bind(*plan, lend(source), lent, scratch->handle(), state->handle());
+    for (const GpuImage& image : *images) lent.push_back(lend_cube(image));
+    const auto job =
+        prefilter->bind(*plan, lend_cube(source), lent, scratch->handle(), state->handle());
     if (!job) return core_failure(job.error());
     PrefilteredMaps maps{
         {plan->maps().begin(), plan->maps().end()}, std::move(*images), std::move(*state), {}};

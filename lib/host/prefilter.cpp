@@ -10,6 +10,7 @@
 #include "host/averages.h"
 #include "host/checks.h"
 #include "host/directions.h"
+#include "host/importance.h"
 #include "host/maps.h"
 
 namespace lobelia::host {
@@ -17,6 +18,7 @@ namespace lobelia::host {
 namespace {
 
 constexpr std::uint32_t LARGEST_SIDE = 16384;
+constexpr std::uint32_t MOST_SAMPLES = 65535;
 constexpr std::uint32_t LARGEST_DEFAULT_FACE = 256;
 constexpr std::uint32_t LEAST_DEFAULT_FACE = 32;
 
@@ -48,6 +50,9 @@ Outcome<Done> check(const PrefilterSettings& settings) {
         return Failure{"a map's size is " + std::to_string(settings.width) + "x" +
                        std::to_string(std::max(settings.height, 1u)) +
                        ", give sides of 1 to 16384 texels"};
+    if (settings.samples < 1 || settings.samples > MOST_SAMPLES)
+        return Failure{"there are " + std::to_string(settings.samples) + " samples, give 1 to " +
+                       std::to_string(MOST_SAMPLES)};
     return Done{};
 }
 
@@ -55,25 +60,63 @@ Image map_image(Layout layout, const Size& size, std::vector<float> texels) {
     return {layout, size.width, size.height, layout == Layout::cube ? 6u : 1u, std::move(texels)};
 }
 
-Outcome<Prefiltering> by_exact(Gpu& gpu, const GpuEnvironment& environment,
-                               const PrefilterSettings& settings, const Progress& progress) {
-    const auto exact = Exact::create(gpu.device());
-    if (!exact) return core_failure(exact.error());
-    const ExactSource source = exact_source(environment);
+/// Averages about these axes, R G B 1 each.
+using Averager = std::function<Outcome<Averages>(float exponent, const std::vector<Vector>& axes,
+                                                 const Progress& progress)>;
+
+/// Makes each map by averaging about its texels' directions.
+Outcome<Prefiltering> by_texel(const PrefilterSettings& settings, const Progress& progress,
+                               const Averager& averages_of) {
     const double count = double(settings.exponents.size());
     Prefiltering result;
     for (std::size_t i = 0; i < settings.exponents.size(); ++i) {
         const float exponent = settings.exponents[i];
         const Size size = size_for(settings, exponent);
-        std::vector<ExactQuery> queries;
-        for (const Vector& axis : texel_directions(settings.layout, size.width, size.height))
-            queries.push_back({.axis = {float(axis.x), float(axis.y), float(axis.z)}});
-        auto averages = average(gpu, *exact, source, {.exponent = exponent}, queries,
-                                share(progress, double(i) / count, double(i + 1) / count));
+        auto averages =
+            averages_of(exponent, texel_directions(settings.layout, size.width, size.height),
+                        share(progress, double(i) / count, double(i + 1) / count));
         if (!averages) return averages.error();
         result.maps.push_back(map_image(settings.layout, size, std::move(averages->texels)));
         result.report.passes.push_back(averages->report);
     }
+    return result;
+}
+
+Outcome<Prefiltering> by_exact(Gpu& gpu, const GpuEnvironment& environment,
+                               const PrefilterSettings& settings, const Progress& progress) {
+    const auto exact = Exact::create(gpu.device());
+    if (!exact) return core_failure(exact.error());
+    const ExactSource source = exact_source(environment);
+    return by_texel(
+        settings, progress,
+        [&](float exponent, const std::vector<Vector>& axes, const Progress& part) {
+            std::vector<ExactQuery> queries;
+            for (const Vector& axis : axes)
+                queries.push_back({.axis = {float(axis.x), float(axis.y), float(axis.z)}});
+            return average(gpu, *exact, source, {.exponent = exponent}, queries, part);
+        });
+}
+
+Outcome<Prefiltering> by_importance(Gpu& gpu, const GpuEnvironment& environment,
+                                    const PrefilterSettings& settings, const Progress& progress) {
+    const bool filtered = settings.method == PrefilterMethod::filtered_importance;
+    const auto importance = Importance::create(gpu.device());
+    if (!importance) return core_failure(importance.error());
+    const auto mips = make_mips(gpu, environment, filtered);
+    if (!mips) return mips.error();
+    auto result =
+        by_texel(settings, progress,
+                 [&](float exponent, const std::vector<Vector>& axes, const Progress& part) {
+                     return average_by_samples(
+                         gpu, *importance, mips->image,
+                         {.exponent = exponent, .samples = settings.samples, .filtered = filtered},
+                         axes, part);
+                 });
+    if (!result) return result.error();
+    WorkReport& report = result->report;
+    report.passes.insert(report.passes.begin(), mips->report.passes.begin(),
+                         mips->report.passes.end());
+    report.images = mips->report.images;
     return result;
 }
 
@@ -131,9 +174,14 @@ Outcome<Prefiltering> by_chain(Gpu& gpu, const GpuEnvironment& environment,
 Outcome<Prefiltering> prefilter(Gpu& gpu, const GpuEnvironment& environment,
                                 const PrefilterSettings& settings, const Progress& progress) {
     if (const auto valid = check(settings); !valid) return valid.error();
-    return settings.method == PrefilterMethod::exact
-               ? by_exact(gpu, environment, settings, progress)
-               : by_chain(gpu, environment, settings, progress);
+    switch (settings.method) {
+    case PrefilterMethod::chain: break;
+    case PrefilterMethod::importance:
+    case PrefilterMethod::filtered_importance:
+        return by_importance(gpu, environment, settings, progress);
+    case PrefilterMethod::exact: return by_exact(gpu, environment, settings, progress);
+    }
+    return by_chain(gpu, environment, settings, progress);
 }
 
 } // namespace lobelia::host

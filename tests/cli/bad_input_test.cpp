@@ -59,7 +59,11 @@ const BadInput BAD_INPUTS[] = {
     {"UnknownPrefilterMethod",
      {"prefilter", "a.exr", "--lambert", "-o", "b.exr", "--method", "magic"},
      2,
-     "chain and exact"},
+     "chain, importance, filtered-importance and exact"},
+    {"SamplesOfTheChain",
+     {"prefilter", "a.exr", "--lambert", "-o", "b.exr", "--samples", "8"},
+     2,
+     "--samples"},
 
     {"NegativeExponent", {"render", "-n", "-1"}, 1, "-1"},
     {"ExponentBeyondTheLimit", {"render", "-n", "1e7"}, 1, "1000000"},

@@ -82,13 +82,16 @@ Outcome<Rendering> render(Gpu& gpu, const GpuEnvironment& environment,
 std::optional<Failure> check_material(const Material& material, bool allow_energy_gain);
 
 enum class PrefilterMethod {
-    chain, // Prefilter, read at the map's texel centres by MapReader
-    exact, // Exact at the map's texel centres
+    chain,               // Prefilter, read at the map's texel centres by MapReader
+    importance,          // Importance at the map's texel centres, plain
+    filtered_importance, // the same, filtered
+    exact,               // Exact at the map's texel centres
 };
 
 struct PrefilterSettings {
     PrefilterMethod method = PrefilterMethod::chain;
     Quality quality = Quality::normal; // of the chain
+    std::uint32_t samples = 64;        // of a texel, for the two importance methods: 1 to 65535
     std::vector<float> exponents;      // one map each; 1 is the Lambert lobe
     Layout layout = Layout::cube;
     std::uint32_t width =

@@ -1,0 +1,112 @@
+#include "host/importance.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include <lobelia/mips.h>
+
+#include "host/maps.h"
+
+namespace lobelia::host {
+
+namespace {
+
+constexpr std::uint32_t MOST_QUERIES = 1 << 18; // in one buffer: 4 MiB
+constexpr std::size_t CHANNELS = 4;
+
+VkFormat filterable_format(const Gpu& gpu) {
+    const auto properties_of = reinterpret_cast<PFN_vkGetPhysicalDeviceFormatProperties>(
+        gpu.get_instance_proc_addr()(gpu.instance(), "vkGetPhysicalDeviceFormatProperties"));
+    VkFormatProperties found{};
+    properties_of(gpu.physical_device(), VK_FORMAT_R32G32B32A32_SFLOAT, &found);
+    return found.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT
+               ? VK_FORMAT_R32G32B32A32_SFLOAT
+               : VK_FORMAT_R16G16B16A16_SFLOAT;
+}
+
+/// Runs one list of axes that fits into one buffer.
+Outcome<Done> average_batch(Gpu& gpu, const Importance& importance, const GpuImage& source,
+                            const ImportanceSettings& settings, std::span<const Vector> axes,
+                            const Progress& progress, Averages& result) {
+    std::vector<float> values;
+    for (const Vector& axis : axes)
+        values.insert(values.end(), {float(axis.x), float(axis.y), float(axis.z), 0.0f});
+    const VkDeviceSize bytes = values.size() * sizeof(float);
+    const auto asked = gpu.create_buffer(bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Memory::host);
+    if (!asked) return asked.error();
+    const auto answered =
+        gpu.create_buffer(bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Memory::host);
+    if (!answered) return answered.error();
+    std::memcpy(asked->data(), values.data(), bytes);
+
+    const auto job =
+        importance.bind(lend_cube(source), settings, asked->handle(), answered->handle());
+    if (!job) return core_failure(job.error());
+    for (std::uint32_t step = 0; step < job->steps(); ++step) {
+        if (progress && !progress(double(step) / job->steps())) return Failure{"cancelled"};
+        const auto done = run_pass(
+            gpu, result.report, [&](VkCommandBuffer commands) { job->record(commands, step, 1); });
+        if (!done) return done.error();
+    }
+    std::memcpy(values.data(), answered->data(), bytes);
+    result.texels.insert(result.texels.end(), values.begin(), values.end());
+    return Done{};
+}
+
+} // namespace
+
+Outcome<EnvironmentMips> make_mips(Gpu& gpu, const GpuEnvironment& environment, bool filtered) {
+    const auto resized = resized_cube(gpu, environment);
+    if (!resized) return resized.error();
+    const GpuImage& source = *resized ? **resized : environment.cube;
+    const std::uint32_t size = source.description().width;
+    auto image = gpu.create_image({.format = filterable_format(gpu),
+                                   .width = size,
+                                   .height = size,
+                                   .layers = 6,
+                                   .levels = filtered ? std::uint32_t(std::bit_width(size)) : 1,
+                                   .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT,
+                                   .cube = true});
+    if (!image) return image.error();
+    const auto mips = Mips::create(gpu.device());
+    if (!mips) return core_failure(mips.error());
+    const auto job = mips->bind(lend_cube(source), lend_cube(*image));
+    if (!job) return core_failure(job.error());
+
+    const std::uint64_t bytes = image_bytes(*image);
+    PassReport run{.name = "mips",
+                   .invocations = image_texels(*image),
+                   .bytes_read = image_bytes(source) + bytes,
+                   .bytes_written = bytes};
+    const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) { job->record(commands); });
+    if (!done) return done.error();
+    EnvironmentMips made{std::move(*image), {}};
+    made.report.passes.push_back(run);
+    made.report.images.push_back(image_report("mips", made.image, "scratch"));
+    return made;
+}
+
+Outcome<Averages> average_by_samples(Gpu& gpu, const Importance& importance, const GpuImage& source,
+                                     ImportanceSettings settings, std::span<const Vector> axes,
+                                     const Progress& progress) {
+    Averages result;
+    result.report.name = settings.filtered ? "filtered importance" : "importance";
+    result.texels.reserve(CHANNELS * axes.size());
+    const double size = double(axes.size());
+    for (std::size_t first = 0; first < axes.size(); first += MOST_QUERIES) {
+        const std::size_t count = std::min<std::size_t>(MOST_QUERIES, axes.size() - first);
+        settings.query_count = std::uint32_t(count);
+        const auto done = average_batch(
+            gpu, importance, source, settings, axes.subspan(first, count),
+            share(progress, double(first) / size, double(first + count) / size), result);
+        if (!done) return done.error();
+    }
+    const std::uint64_t bytes = result.texels.size() * sizeof(float);
+    result.report.invocations = axes.size();
+    result.report.bytes_read = image_bytes(source) + bytes;
+    result.report.bytes_written = bytes;
+    return result;
+}
+
+} // namespace lobelia::host
