@@ -16,6 +16,7 @@
 #include "host/atomic_file.h"
 #include "host/cube_layout.h"
 #include "host/exr_stream.h"
+#include "host/image_shape.h"
 #include "host/message.h"
 
 namespace lobelia::host {
@@ -24,26 +25,14 @@ namespace {
 
 constexpr std::size_t LONGEST_NAME = 255; // of an attribute in OpenEXR
 
-Outcome<Done> check_image(const Image& image, Content content) {
-    const std::uint64_t floats =
-        std::uint64_t(image.width) * image.height * image.layers * std::uint64_t(4);
-    if (floats == 0 || image.texels.size() != floats)
-        return Failure{"cannot be written: the image's texels do not fit its size"};
-    if (content == Content::environment && image.layout == Layout::cube &&
-        (image.layers != 6 || image.width != image.height))
-        return Failure{"cannot be written: a cube map has six square layers"};
-    if (content == Content::environment && image.layout == Layout::latlong && image.layers != 1)
-        return Failure{"cannot be written: a latitude-longitude map has one layer"};
-    return Done{};
-}
-
 Outcome<Done> check(std::span<const Part> parts, Content content, const Metadata& metadata) {
     if (parts.empty()) return Failure{"cannot be written: there is no image"};
     for (const Part& part : parts) {
         if (!part.image) return Failure{"cannot be written: a part has no image"};
         if (parts.size() > 1 && part.name.empty())
             return Failure{"cannot be written: one of several parts has no name"};
-        const Outcome<Done> fits = check_image(*part.image, content);
+        const Outcome<Done> fits = content == Content::environment ? check_environment(*part.image)
+                                                                   : check_texels(*part.image);
         if (!fits) return fits.error();
     }
     for (std::size_t i = 0; i < parts.size(); ++i)

@@ -151,6 +151,8 @@ TEST_F(FileWriteTest, AFullDiskLeavesTheOldFileAndNothingElse) {
         const FullDisk disk(0);
         EXPECT_FALSE(write_one(path("a.exr"), image));
         EXPECT_FALSE(host::write_png(path("a.exr"), image, 0));
+        const Image cube = make_image(Layout::cube, 4, 4);
+        EXPECT_FALSE(host::write_ktx2(path("a.exr"), {&cube, 1}));
     }
     EXPECT_EQ(bytes_of(path("a.exr")), old);
     EXPECT_EQ(files(), 1u);

@@ -16,7 +16,8 @@ struct Part {
     const Image* image = nullptr;
 };
 
-/// Text kept in the file's header as string attributes: name and value.
+/// Text kept in the file beside the texels, name and value: string attributes in OpenEXR, key/value
+/// pairs in KTX.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 enum class Content {
@@ -34,6 +35,14 @@ enum class Content {
 /// into; a folder is refused. The message of a failure begins with `path`.
 Outcome<Done> write_exr(const std::string& path, std::span<const Part> parts, Content content,
                         const Metadata& metadata = {});
+
+/// Writes a cube map as KTX 2.0. `levels[k]` is its level k: six faces half as wide as those of
+/// level k - 1, rounded down. Linear radiance with the primaries of Rec. 709 and alpha 1, 16-bit
+/// float, or 32-bit where 16 would overflow or the brightest value be below its normal range. Also
+/// has `KTXorientation`, `KTXwriter` and `lobelia:sampling` = `texel centres`; metadata is refused
+/// whose name is there twice or begins with KTX. Replaces `path` in one step, as write_exr does.
+Outcome<Done> write_ktx2(const std::string& path, std::span<const Image> levels,
+                         const Metadata& metadata = {});
 
 /// Writes an 8-bit sRGB PNG of a picture: scaled by 2^exposure, tone-mapped (Khronos PBR Neutral),
 /// alpha as it is (the colour divided by it first where it is not 0, since PNG is not
