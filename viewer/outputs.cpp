@@ -38,10 +38,17 @@ Outcome<Done> check_output(const std::string& path) {
 
 } // namespace
 
-Outcome<OutputFile> parse_output(std::string_view path) {
+std::optional<FileKind> kind_of(std::string_view path) {
     const std::string name = small_letters(std::string(path));
-    if (name.ends_with(".exr")) return OutputFile{std::string(path), FileKind::exr};
-    if (name.ends_with(".png")) return OutputFile{std::string(path), FileKind::png};
+    if (name.ends_with(".exr")) return FileKind::exr;
+    if (name.ends_with(".png")) return FileKind::png;
+    if (name.ends_with(".ktx2")) return FileKind::ktx2;
+    return std::nullopt;
+}
+
+Outcome<OutputFile> parse_output(std::string_view path) {
+    const std::optional<FileKind> kind = kind_of(path);
+    if (kind && *kind != FileKind::ktx2) return OutputFile{std::string(path), *kind};
     return Failure{"\"" + std::string(path) + "\" ends in neither .exr nor .png"};
 }
 

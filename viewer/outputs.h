@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace lobelia::cli {
 
-enum class FileKind { exr, png };
+enum class FileKind { exr, png, ktx2 };
 
 /// A file to write, and as what.
 struct OutputFile {
@@ -17,7 +18,10 @@ struct OutputFile {
     FileKind kind = FileKind::exr;
 };
 
-/// Tells the kind by the ending, in capitals or not.
+/// Tells the kind by the ending, in capitals or not; nothing where it is none that is known.
+std::optional<FileKind> kind_of(std::string_view path);
+
+/// A picture to write, .exr or .png.
 host::Outcome<OutputFile> parse_output(std::string_view path);
 
 /// Why writing to `outputs` cannot succeed, as far as can be known before the work.

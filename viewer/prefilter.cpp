@@ -1,13 +1,12 @@
 #include <algorithm>
+#include <functional>
 #include <memory>
-
-#include <lobelia/host/write.h>
 
 #include "environment.h"
 #include "gpu_choice.h"
+#include "map_file.h"
 #include "messages.h"
 #include "numbers.h"
-#include "outputs.h"
 #include "parsed_option.h"
 #include "quality.h"
 #include "report.h"
@@ -27,7 +26,9 @@ struct PrefilterOptions {
     host::Layout layout = host::Layout::cube;
     std::optional<std::uint32_t> face;
     std::optional<Size> size;
-    OutputFile output;
+    std::string path;
+    std::optional<FileKind> format;
+    OutputFile output; // what the two say
     GpuChoice gpu;
     bool json = false;
 };
@@ -63,18 +64,14 @@ Outcome<host::Layout> parse_layout(std::string_view text) {
     return host::Failure{"\"" + std::string(text) + "\" is no layout; there are cube and latlong"};
 }
 
-Outcome<OutputFile> parse_map_output(std::string_view path) {
-    Outcome<OutputFile> output = parse_output(path);
-    if (!output || output->kind != FileKind::exr)
-        return host::Failure{"\"" + std::string(path) + "\" does not end in .exr"};
-    return output;
-}
-
-// Lambert's lobe is Phong's with exponent 1 about the normal.
+// Lambert's lobe is Phong's with exponent 1 about the normal. The levels of a cube map go from
+// sharp to broad, as engines look them up by roughness.
 std::vector<float> exponents_of(const PrefilterOptions& options) {
     std::vector<float> exponents;
     if (options.lambert) exponents.push_back(1.0f);
     exponents.insert(exponents.end(), options.exponents.begin(), options.exponents.end());
+    if (options.output.kind == FileKind::ktx2)
+        std::sort(exponents.begin(), exponents.end(), std::greater<>());
     return exponents;
 }
 
@@ -94,13 +91,16 @@ void check_usage(const PrefilterOptions& options) {
         throw CLI::ValidationError("--face", "is for --layout cube; latlong takes --size WxH");
     if (options.size && options.layout != host::Layout::latlong)
         throw CLI::ValidationError("--size", "is for --layout latlong; cube takes --face N");
+    if (options.layout != host::Layout::cube && options.output.kind == FileKind::ktx2)
+        throw CLI::ValidationError("--layout", "latlong is for OpenEXR; KTX2 holds a cube map");
 }
 
 host::PrefilterSettings settings_of(const PrefilterOptions& options) {
     host::PrefilterSettings settings{.method = options.method,
                                      .quality = options.quality,
                                      .exponents = exponents_of(options),
-                                     .layout = options.layout};
+                                     .layout = options.layout,
+                                     .levels = options.output.kind == FileKind::ktx2};
     if (options.samples) settings.samples = *options.samples;
     if (options.face) settings.width = *options.face;
     if (options.size) {
@@ -110,18 +110,20 @@ host::PrefilterSettings settings_of(const PrefilterOptions& options) {
     return settings;
 }
 
-Outcome<Done> write_maps(const OutputFile& file, const host::PrefilterSettings& settings,
-                         const std::vector<host::Image>& maps) {
-    std::vector<host::Part> parts;
-    std::string list;
-    for (std::size_t i = 0; i < maps.size(); ++i) {
-        const std::string exponent = number_text(settings.exponents[i]);
-        parts.push_back({maps.size() > 1 ? "n=" + exponent : "", &maps[i]});
-        list += (list.empty() ? "" : ",") + exponent;
-    }
-    return host::write_exr(
-        file.path, parts, host::Content::environment,
-        {{"lobelia:method", method_name(settings.method)}, {"lobelia:exponents", list}});
+// What a reader of the file cannot see in its texels; docs/files.md has the meanings.
+host::Metadata metadata_of(const host::PrefilterSettings& settings) {
+    std::string exponents;
+    for (const float exponent : settings.exponents)
+        exponents += (exponents.empty() ? "" : ",") + number_text(exponent);
+    host::Metadata metadata{{"lobelia:exponents", exponents},
+                            {"lobelia:method", method_name(settings.method)},
+                            {"lobelia:scale", "1"},
+                            {"lobelia:suns", "in the texels"}};
+    if (settings.method == host::PrefilterMethod::chain)
+        metadata.emplace_back("lobelia:quality", quality_name(settings.quality));
+    if (takes_samples(settings.method))
+        metadata.emplace_back("lobelia:samples", std::to_string(settings.samples));
+    return metadata;
 }
 
 Outcome<Report> prefilter(const PrefilterOptions& options) {
@@ -143,7 +145,7 @@ Outcome<Report> prefilter(const PrefilterOptions& options) {
 
     progress.begin("writing");
     const auto written = write_outputs({options.output}, [&](const OutputFile& file) {
-        return write_maps(file, settings, filtered->maps);
+        return write_maps(file, filtered->maps, settings.exponents, metadata_of(settings));
     });
     if (!written) return written.error();
 
@@ -170,9 +172,13 @@ void add_prefilter(CLI::App& program, int& status) {
         program.add_subcommand("prefilter", "writes an environment map averaged over Phong lobes");
     verb->add_option("ENV", options->environment, "environment map, OpenEXR or Radiance .hdr")
         ->required();
-    add_parsed(*verb, "-o", parse_map_output, &options->output, "FILE",
-               "OpenEXR file to write; several exponents become parts named as n=16")
-        ->required();
+    verb->add_option("-o", options->path,
+                     "file to write: .exr, where several exponents become parts named as n=16, or "
+                     ".ktx2, where they become levels from the sharpest on")
+        ->required()
+        ->type_name("FILE");
+    add_parsed(*verb, "--format", parse_map_format, &options->format, "NAME",
+               "exr or ktx2; default: what FILE ends in");
     add_parsed(*verb, "--exponents", parse_exponents, &options->exponents, "X,X,...",
                "Phong exponents, from 0 to 1e6, one map each");
     verb->add_flag("--lambert", options->lambert, "the diffuse lobe, which is exponent 1");
@@ -186,12 +192,15 @@ void add_prefilter(CLI::App& program, int& status) {
     add_parsed(*verb, "--layout", parse_layout, &options->layout, "NAME",
                "cube, the default, or latlong");
     add_parsed(*verb, "--face", parse_count, &options->face, "N",
-               "texels of an edge of the cube map; default: what the lobe needs");
+               "texels of an edge of the cube map, of level 0 in KTX2; default: what lobes need");
     add_parsed(*verb, "--size", parse_size, &options->size, "WxH",
                "size of the latlong map; default: what the lobe needs");
     add_gpu_options(*verb, options->gpu);
     verb->add_flag("--json", options->json, "print one JSON object about what was done");
     verb->callback([options, &status] {
+        const auto output = map_file(options->path, options->format);
+        if (!output) throw CLI::ValidationError("-o", output.error().message);
+        options->output = *output;
         check_usage(*options);
         status = prefilter_verb(*options);
     });

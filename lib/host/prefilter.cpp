@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstring>
 
 #include <lobelia/exact.h>
@@ -11,52 +8,27 @@
 #include "host/checks.h"
 #include "host/directions.h"
 #include "host/importance.h"
+#include "host/map_sizes.h"
 #include "host/maps.h"
 
 namespace lobelia::host {
 
 namespace {
 
-constexpr std::uint32_t LARGEST_SIDE = 16384;
 constexpr std::uint32_t MOST_SAMPLES = 65535;
-constexpr std::uint32_t LARGEST_DEFAULT_FACE = 256;
-constexpr std::uint32_t LEAST_DEFAULT_FACE = 32;
-
-struct Size {
-    std::uint32_t width, height;
-};
-
-/// Two texels for each standard deviation 1 / sqrt(n) of the lobe.
-std::uint32_t lobe_face(float exponent) {
-    const auto texels = std::uint32_t(std::ceil(4.0 * std::sqrt(double(exponent))));
-    return std::clamp(std::bit_ceil(texels), LEAST_DEFAULT_FACE, LARGEST_DEFAULT_FACE);
-}
-
-Size size_for(const PrefilterSettings& settings, float exponent) {
-    const std::uint32_t face = lobe_face(exponent);
-    if (settings.layout == Layout::cube) {
-        const std::uint32_t width = settings.width ? settings.width : face;
-        return {width, width};
-    }
-    const std::uint32_t width = settings.width ? settings.width : 4 * face;
-    return {width, settings.height ? settings.height : std::max(width / 2, 1u)};
-}
 
 Outcome<Done> check(const PrefilterSettings& settings) {
     if (settings.exponents.empty()) return Failure{"no exponent is given, give at least one"};
     for (const float exponent : settings.exponents)
         if (const auto refused = check_exponent(exponent)) return *refused;
-    if (settings.width > LARGEST_SIDE || settings.height > LARGEST_SIDE)
-        return Failure{"a map's size is " + std::to_string(settings.width) + "x" +
-                       std::to_string(std::max(settings.height, 1u)) +
-                       ", give sides of 1 to 16384 texels"};
+    if (const auto valid = check_sizes(settings); !valid) return valid.error();
     if (settings.samples < 1 || settings.samples > MOST_SAMPLES)
         return Failure{"there are " + std::to_string(settings.samples) + " samples, give 1 to " +
                        std::to_string(MOST_SAMPLES)};
     return Done{};
 }
 
-Image map_image(Layout layout, const Size& size, std::vector<float> texels) {
+Image map_image(Layout layout, const MapSize& size, std::vector<float> texels) {
     return {layout, size.width, size.height, layout == Layout::cube ? 6u : 1u, std::move(texels)};
 }
 
@@ -67,11 +39,12 @@ using Averager = std::function<Outcome<Averages>(float exponent, const std::vect
 /// Makes each map by averaging about its texels' directions.
 Outcome<Prefiltering> by_texel(const PrefilterSettings& settings, const Progress& progress,
                                const Averager& averages_of) {
+    const std::vector<MapSize> sizes = map_sizes(settings);
     const double count = double(settings.exponents.size());
     Prefiltering result;
     for (std::size_t i = 0; i < settings.exponents.size(); ++i) {
         const float exponent = settings.exponents[i];
-        const Size size = size_for(settings, exponent);
+        const MapSize& size = sizes[i];
         auto averages =
             averages_of(exponent, texel_directions(settings.layout, size.width, size.height),
                         share(progress, double(i) / count, double(i + 1) / count));
@@ -122,7 +95,7 @@ Outcome<Prefiltering> by_importance(Gpu& gpu, const GpuEnvironment& environment,
 
 /// The values of one prefiltered map at the texel centres of an image.
 Outcome<Image> read_map(Gpu& gpu, const MapReader& reader, const PrefilteredMaps& maps,
-                        std::size_t index, Layout layout, const Size& size, PassReport& run) {
+                        std::size_t index, Layout layout, const MapSize& size, PassReport& run) {
     std::vector<float> directions;
     for (const Vector& axis : texel_directions(layout, size.width, size.height))
         directions.insert(directions.end(), {float(axis.x), float(axis.y), float(axis.z), 0.0f});
@@ -155,12 +128,12 @@ Outcome<Prefiltering> by_chain(Gpu& gpu, const GpuEnvironment& environment,
     if (!maps) return maps.error();
     const auto reader = MapReader::create(gpu.device());
     if (!reader) return core_failure(reader.error());
+    const std::vector<MapSize> sizes = map_sizes(settings);
     const double count = double(settings.exponents.size());
     Prefiltering result{{}, maps->report};
     for (std::size_t i = 0; i < settings.exponents.size(); ++i) {
         PassReport run{.name = "read map"};
-        auto image = read_map(gpu, *reader, *maps, i, settings.layout,
-                              size_for(settings, settings.exponents[i]), run);
+        auto image = read_map(gpu, *reader, *maps, i, settings.layout, sizes[i], run);
         if (!image) return image.error();
         result.maps.push_back(std::move(*image));
         result.report.passes.push_back(run);

@@ -94,9 +94,10 @@ struct PrefilterSettings {
     std::uint32_t samples = 64;        // of a texel, for the two importance methods: 1 to 65535
     std::vector<float> exponents;      // one map each; 1 is the Lambert lobe
     Layout layout = Layout::cube;
-    std::uint32_t width =
-        0; // edge of a cube's face, or width of the panorama; 0: what the lobe needs
+    std::uint32_t width = 0;  // edge of a cube's face, or width of the panorama; 0: what lobes need
     std::uint32_t height = 0; // of the panorama; 0: half its width
+    bool levels = false;      // the maps are one cube's levels: each is half as wide as the one
+                              // before, rounded down; more than `width` has are refused
 };
 
 struct Prefiltering {
