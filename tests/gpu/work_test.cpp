@@ -105,6 +105,10 @@ TEST_F(WorkTest, RefusesWhatIsNoEnvironment) {
     EXPECT_FALSE(host::prefilter(gpu, environment, {}));
     EXPECT_FALSE(host::prefilter(gpu, environment, {.exponents = {-1.0f}}));
     EXPECT_FALSE(host::prefilter(gpu, environment, {.exponents = {1.0f}, .width = 20000}));
+    EXPECT_FALSE(host::prefilter(
+        gpu, environment, {.exponents = {1.0f}, .layout = host::Layout::latlong, .levels = true}));
+    EXPECT_FALSE(host::prefilter(gpu, environment,
+                                 {.exponents = {4.0f, 2.0f, 1.0f}, .width = 2, .levels = true}));
 }
 
 } // namespace
