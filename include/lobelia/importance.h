@@ -36,8 +36,8 @@ public:
     std::uint32_t steps() const noexcept;
 
     /// Records steps [first, first + count), which must be recorded in order and once each; they
-    /// may be spread over any number of command buffers submitted in order. Split or not, and for
-    /// any samples_per_step, the bits are the same. Never allocates, submits or waits.
+    /// may be spread over any number of command buffers submitted in order. Split or not, the bits
+    /// are the same. Never allocates, submits or waits.
     ///
     /// On entry the source is in SHADER_READ_ONLY_OPTIMAL and with the directions visible to
     /// compute shaders. After the last step the results are visible to compute and fragment shaders

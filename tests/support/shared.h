@@ -14,6 +14,7 @@ using std::abs;
 #define SHARED inline
 #include "lobelia/cube.glsl"
 #include "lobelia/direction.glsl"
+#include "lobelia/importance.glsl"
 #include "lobelia/panorama.glsl"
 #undef SHARED
 
