@@ -67,6 +67,34 @@ TEST_F(WorkTest, ReportsWhatItDid) {
     EXPECT_EQ(rendering.report.passes.back().bytes_written, 80u * 16);
 }
 
+TEST_F(WorkTest, SamplesFromMips) {
+    const host::GpuEnvironment environment = upload(even_panorama(64, 32, 1.0f, 2.0f, 3.0f));
+    for (const bool filtered : {false, true}) {
+        const auto sampled = value_of(
+            host::prefilter(gpu, environment,
+                            {.method = filtered ? host::PrefilterMethod::filtered_importance
+                                                : host::PrefilterMethod::importance,
+                             .samples = 600,
+                             .exponents = {1.0f, 64.0f},
+                             .width = 4}));
+        ASSERT_EQ(sampled.maps.size(), 2u);
+        for (const host::Image& map : sampled.maps) {
+            ASSERT_EQ(map.texels.size(), 6u * 4 * 4 * 4);
+            for (std::size_t i = 0; i < map.texels.size(); ++i) // 1 2 3 1, to a sum's roundings
+                ASSERT_NEAR(map.texels[i], i % 4 == 3 ? 1.0f : float(i % 4 + 1), 1e-4f);
+        }
+        ASSERT_EQ(sampled.report.passes.size(), 3u);
+        EXPECT_EQ(sampled.report.passes[0].name, "mips");
+        EXPECT_EQ(sampled.report.passes[1].name, filtered ? "filtered importance" : "importance");
+        EXPECT_EQ(sampled.report.passes[2].invocations, 6u * 4 * 4);
+        ASSERT_EQ(sampled.report.images.size(), 1u);
+        const host::ImageReport& mips = sampled.report.images[0];
+        EXPECT_EQ(mips.levels, filtered ? 5u : 1u);
+        EXPECT_EQ(mips.bytes, 16u * 6 * (filtered ? 256 + 64 + 16 + 4 + 1 : 256));
+        EXPECT_EQ(sampled.report.passes[0].bytes_written, mips.bytes);
+    }
+}
+
 TEST_F(WorkTest, MakesALargerCubeMapForHighQuality) {
     const host::Image image = even_panorama(64, 32, 1.0f, 1.0f, 1.0f);
     const auto face = [&](Quality quality) {
@@ -105,6 +133,7 @@ TEST_F(WorkTest, RefusesWhatIsNoEnvironment) {
     EXPECT_FALSE(host::prefilter(gpu, environment, {}));
     EXPECT_FALSE(host::prefilter(gpu, environment, {.exponents = {-1.0f}}));
     EXPECT_FALSE(host::prefilter(gpu, environment, {.exponents = {1.0f}, .width = 20000}));
+    EXPECT_FALSE(host::prefilter(gpu, environment, {.samples = 0, .exponents = {1.0f}}));
     EXPECT_FALSE(host::prefilter(
         gpu, environment, {.exponents = {1.0f}, .layout = host::Layout::latlong, .levels = true}));
     EXPECT_FALSE(host::prefilter(gpu, environment,
