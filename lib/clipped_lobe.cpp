@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace lobelia {
 namespace {
 
 constexpr double HALF_PI = std::numbers::pi / 2;
-constexpr double LARGEST_EXPONENT = 1e6;
 
 // Where cos^exponent has fallen below e^-40.
 double reach_of(double exponent) {
@@ -99,67 +99,128 @@ ClippedMoments clipped_moments(double cosine, double exponent) {
         const double sine = std::sin(angle - shift);
         return sine * sine;
     });
+    const double tilt = in_plane.mean(
+        [shift](double angle) { return std::sin(angle - shift) * std::cos(angle - shift); });
     return {
         .shift = shift,
         .deficit = plane_deficit + elevation_deficit - plane_deficit * elevation_deficit,
         .in_plane = (n + 3) / (n + 4) * square_to_mean,
         .across = 1 / (n + 4),
+        .tilt = (n + 3) / (n + 4) * tilt,
     };
-}
-
-MatchedTaps matched_taps(double cosine, double exponent) {
-    const ClippedMoments moments = clipped_moments(cosine, exponent);
-    // The mean of one lobe has length (m + 1) / (m + 2).
-    const double one_tap = 1 / moments.deficit - 2;
-
-    // Two lobes at the angle d from the axis have a mean of length cos d (m + 1) / (m + 2), and
-    // mean squares that differ by m / (m + 3) sin^2 d. What is left of that difference towards
-    // cosine = 1 is rounding.
-    const double difference = moments.across - moments.in_plane;
-    if (difference <= 1e-9 * moments.across) return {moments.shift, one_tap, one_tap, 0};
-    const auto square_sine = [&](double m) { return std::min(difference * (m + 3) / m, 1.0); };
-    double low = one_tap, high = 16 * (one_tap + 1); // the deficit falls as m rises
-    for (int i = 0; i < 64; ++i) {
-        const double m = (low + high) / 2;
-        const double chord = square_sine(m) / (1 + std::sqrt(1 - square_sine(m)));
-        const double deficit = 1 / (m + 2) + (m + 1) / (m + 2) * chord;
-        (deficit > moments.deficit ? low : high) = m;
-    }
-    return {moments.shift, one_tap, low, std::asin(std::sqrt(square_sine(low)))};
 }
 
 namespace {
 
-std::array<float, 4> make_texel(double column, double width) {
-    // At the pole two taps are one, and the offset is that of a lobe nearby: with an exponent next
-    // to 0 it tends so slowly to its limit that the limit would mislead.
-    if (column == 1) return {0, 1, 1, make_texel(1 - 1.0 / (4 * CLIPPED_TABLE_WIDTH), width)[3]};
+// The mean of cos^m has length (m + 1) / (m + 2): what is missing, seen from an axis at `chord`.
+double deficit_of(double m, double chord) {
+    return 1 / (m + 2) + (m + 1) / (m + 2) * chord;
+}
 
-    // The inverse of clipped_table_point(); the row of width 0 holds the sharpest lobe.
-    const double exponent = width > 0 ? 1 / (width * width) - 1 : LARGEST_EXPONENT;
-    width = 1 / std::sqrt(exponent + 1);
-    const double height = 2 * width * column / (1 + 2 * width - column);
-    const double cosine = 1 - (1 - height) * (1 - height);
-    const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-    const MatchedTaps taps = matched_taps(cosine, exponent);
-    const double along_mirror = sine / std::tan(taps.shift) - cosine;
-    return {
-        float((along_mirror - exponent * cosine) * width),
-        float((exponent + 1) / taps.one_tap_exponent),
-        float((exponent + 1) / taps.two_tap_exponent),
-        float(std::tan(taps.two_tap_angle) / (width * sine)),
-    };
+double single_exponent(double deficit) {
+    return 1 / deficit - 2;
+}
+
+struct Pair {
+    double exponent;
+    double angle;
+};
+
+// Two lobes at the angle d from their axis have a mean of length cos d (m + 1) / (m + 2), and mean
+// squares across and in the plane that differ by m / (m + 3) sin^2 d.
+Pair match_pair(double deficit, double difference) {
+    const auto square_sine = [&](double m) { return std::min(difference * (m + 3) / m, 1.0); };
+    double low = single_exponent(deficit), high = 16 * (low + 1); // the deficit falls as m rises
+    for (int i = 0; i < 64; ++i) {
+        const double m = (low + high) / 2;
+        const double chord = square_sine(m) / (1 + std::sqrt(1 - square_sine(m)));
+        (deficit_of(m, chord) > deficit ? low : high) = m;
+    }
+    return {low, std::asin(std::sqrt(square_sine(low)))};
 }
 
 } // namespace
 
-std::vector<std::array<float, 4>> make_clipped_table() {
-    std::vector<std::array<float, 4>> table;
-    for (uint row = 0; row < CLIPPED_TABLE_HEIGHT; ++row)
-        for (uint column = 0; column < CLIPPED_TABLE_WIDTH; ++column)
-            table.push_back(make_texel(double(column) / (CLIPPED_TABLE_WIDTH - 1),
-                                       double(row) / (CLIPPED_TABLE_HEIGHT - 1)));
-    return table;
+MatchedTaps matched_taps(double cosine, double exponent) {
+    const ClippedMoments moments = clipped_moments(cosine, exponent);
+    const double one_tap = single_exponent(moments.deficit);
+    // What is left of this towards cosine = 1 is rounding.
+    const double difference = moments.across - moments.in_plane;
+    if (difference <= 1e-9 * moments.across) return {moments.shift, one_tap, one_tap, 0};
+    const Pair pair = match_pair(moments.deficit, difference);
+    return {moments.shift, one_tap, pair.exponent, pair.angle};
+}
+
+namespace {
+
+// The weight of least error at x lobe widths above the horizon, fitted like horizon_taps(). It ends
+// where it matters no more.
+double horizon_weight(double x, double exponent) {
+    const double inverse = 2.2633 + x * (1.2589 + x * (4.4757 + x * (-2.8395 + x * 1.5814)));
+    return std::pow(horizon_sharpness(float(exponent)), 1.5) * std::max(0.0, 1 / inverse - 1e-3);
+}
+
+struct Lobe {
+    double share;
+    double exponent;
+    double angle; // in the plane of N and R, from the mean of the clipped lobe towards N
+    double elevation;
+
+    double chord() const {
+        const double in_plane = std::sin(angle / 2), above = std::sin(elevation / 2);
+        return 2 * (above * above + std::cos(elevation) * in_plane * in_plane);
+    }
+    // Its mean square across less that along the plane, square to an axis at `axis`.
+    double difference(double axis) const {
+        const double across = std::sin(elevation);
+        const double along = std::cos(elevation) * std::sin(angle - axis);
+        return exponent / (exponent + 3) * (across * across - along * along);
+    }
+};
+
+} // namespace
+
+HorizonPair horizon_pair(double cosine, double exponent) {
+    const double sine = std::sqrt((1 - cosine) * (1 + cosine));
+    const double height = cosine * std::sqrt(exponent + 1) / std::max(sine, 1e-9);
+    const double weight = horizon_weight(height, exponent);
+    if (weight == 0) {
+        const MatchedTaps taps = matched_taps(cosine, exponent);
+        return {0, taps.shift, taps.two_tap_exponent, taps.two_tap_angle};
+    }
+
+    const ClippedMoments moments = clipped_moments(cosine, exponent);
+    const HorizonTaps taps = horizon_taps(float(cosine), float(exponent));
+    const double towards = double(taps.along_normal) * sine; // along the tangent from R towards N
+    const double onwards = double(taps.along_mirror) + double(taps.along_normal) * cosine;
+    const double angle = std::atan2(towards, onwards) - moments.shift;
+    const double elevation = std::atan(double(taps.side) * sine / std::hypot(towards, onwards));
+    const double middle_share = weight * double(HORIZON_MIDDLE_SHARE);
+    const Lobe lobes[] = {
+        {middle_share, 1 / double(taps.middle_variance), angle, 0},
+        {weight - middle_share, 1 / double(taps.side_variance), angle, elevation},
+    };
+
+    // The pair's mean, as what is missing along the clipped lobe's and what lies beside it.
+    double missing = moments.deficit, beside = 0;
+    for (const Lobe& lobe : lobes) {
+        missing += lobe.share * deficit_of(lobe.exponent, lobe.chord());
+        beside += lobe.share * (lobe.exponent + 1) / (lobe.exponent + 2) *
+                  std::cos(lobe.elevation) * std::sin(lobe.angle);
+    }
+    missing /= 1 + weight;
+    beside /= 1 + weight;
+    const double turn = std::atan2(beside, 1 - missing);
+    const double length = std::hypot(beside, 1 - missing);
+    const double deficit = (missing * (2 - missing) - beside * beside) / (1 + length);
+
+    const double cos_turn = std::cos(turn), sin_turn = std::sin(turn);
+    double difference = moments.across - cos_turn * cos_turn * moments.in_plane +
+                        2 * sin_turn * cos_turn * moments.tilt -
+                        sin_turn * sin_turn * (1 - moments.in_plane - moments.across);
+    for (const Lobe& lobe : lobes) difference += lobe.share * lobe.difference(turn);
+    const Pair pair = match_pair(deficit, difference / (1 + weight));
+    return {weight, moments.shift + turn, pair.exponent, pair.angle};
 }
 
 } // namespace lobelia

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <vector>
 
 namespace lobelia {
 
@@ -12,7 +10,7 @@ using std::sqrt;
 using uint = std::uint32_t;
 
 #define SHARED inline
-#include "lobelia/clipped_lobe.glsl" // clipped_table_point(), clipped_taps()
+#include "lobelia/clipped_lobe.glsl" // clipped_table_point(), clipped_taps(), horizon_taps()
 #undef SHARED
 
 /// Moments of the specular lobe (w.R)^n (N.w) over the directions w in front of R and above the
@@ -27,6 +25,7 @@ struct ClippedMoments {
     double deficit;  // 1 - length of the mean
     double in_plane; // mean square of w along the direction of the plane that is square to the mean
     double across;   // mean square of w along N x R
+    double tilt;     // mean product of w along the mean and along that direction
 };
 
 /// For `cosine` = N.R in [0, 1] and `exponent` in [0, 1e6], each to a relative 1e-8. Takes about 30
@@ -42,9 +41,13 @@ struct MatchedTaps {
 };
 MatchedTaps matched_taps(double cosine, double exponent);
 
-/// The table that clipped_lobe.glsl describes: CLIPPED_TABLE_HEIGHT rows of CLIPPED_TABLE_WIDTH
-/// texels, each what clipped_taps() takes, between 0 and 1: halves lose nothing that matters. Takes
-/// about 15 milliseconds.
-std::vector<std::array<float, 4>> make_clipped_table();
+/// The pair of lobes that together with horizon_taps() has the moments that two taps have.
+struct HorizonPair {
+    double weight;   // of the horizon's taps; the pair's is 1 more
+    double shift;    // as in MatchedTaps
+    double exponent; // of each
+    double angle;    // from the axis
+};
+HorizonPair horizon_pair(double cosine, double exponent);
 
 } // namespace lobelia

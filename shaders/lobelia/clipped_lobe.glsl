@@ -1,5 +1,5 @@
 // Where to read blurred maps for a specular lobe that the horizon cuts, for C++ and GLSL alike. The
-// numbers come from a small table (lib/clipped_lobe.h fills it) that a shader reads bilinearly:
+// numbers come from a small table (lib/clipped_lobe_table.h fills it) that a shader reads bilinearly:
 //     ClippedTablePoint at = clipped_table_point(cos_theta, exponent);
 //     vec4 texel = textureLod(table, vec2(at.u, at.v), 0.0);
 //     ClippedTaps taps = clipped_taps(texel.x, texel.y, texel.z, texel.w, cos_theta, exponent);
@@ -53,6 +53,47 @@ SHARED ClippedTaps clipped_taps(float shift, float one_tap, float two_tap, float
     taps.one_tap_variance = one_tap * width * width;
     taps.two_tap_variance = two_tap * width * width;
     taps.across = offset * width * sqrt(1.0f + k * (2.0f * cos_theta + k));
+    return taps;
+}
+
+// Nearer to the truth: a pair of lobes that reaches below the horizon, less three sharper ones that
+// stand along it. The lobe's average is W times
+//     (1 + weight) times the mean of P(axis + across N x R) and P(axis - across N x R), minus
+//     weight times (3/8 P(middle) + 5/16 P(middle + side N x R) + 5/16 P(middle - side N x R)),
+// and at least 0. The pair comes from clipped_taps() with a texel of the horizon's own table, whose
+// second number is the weight: below a half, and 0 (two fetches are enough) from five lobe widths
+// above the horizon on.
+struct HorizonTaps {
+    float along_mirror; // middle = along_mirror R + along_normal N, of any length
+    float along_normal;
+    float side;
+    float middle_variance; // 1 / exponent
+    float side_variance;
+};
+
+const float HORIZON_MIDDLE_SHARE = 0.375f;
+
+// The numbers are those of least error for sharp lobes in light of the spectrum of photographs, whose
+// power falls with the square of the frequency. Broad lobes want sharper taps of less weight.
+SHARED float horizon_sharpness(float exponent) {
+    return exponent * exponent / (exponent * exponent + 8.0f);
+}
+
+SHARED HorizonTaps horizon_taps(float cos_theta, float exponent) {
+    float width = 1.0f / sqrt(exponent + 1.0f);
+    // Never 0, so that the taps have a direction even at the pole, where they have no weight.
+    float sine = sqrt(max((1.0f - cos_theta) * (1.0f + cos_theta), 1e-6f));
+    // In lobe widths from R, with x for the height above the horizon, (0.0374 + 0.8737 x) /
+    // (1 + 0.1595 x) towards it.
+    float rise = sine * width;
+    float down = width * (0.0374f * rise + 0.8737f * cos_theta) / (rise + 0.1595f * cos_theta);
+    float sharp = max(horizon_sharpness(exponent), 0.1f);
+    HorizonTaps taps;
+    taps.along_mirror = sine + down * cos_theta;
+    taps.along_normal = -down;
+    taps.side = width;
+    taps.middle_variance = 0.25f * sharp * width * width;
+    taps.side_variance = 0.35355f * sharp * width * width;
     return taps;
 }
 

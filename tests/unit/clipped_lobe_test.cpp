@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "clipped_lobe_cases.h"
 #include "support/oracle.h"
 #include "support/quadrature.h"
 
@@ -14,24 +14,6 @@ namespace lobelia {
 namespace {
 
 using oracle::Direction;
-
-const std::vector<double> EXPONENTS{0, 0.01, 0.3, 1, 1.7, 4.8, 16, 64, 300, 1024, 3e4, 1e6};
-
-// From the horizon over the widths of the lobe to the pole, both ends included.
-std::vector<double> cosines(double exponent, int count) {
-    std::vector<double> all;
-    const double width = 1 / std::sqrt(exponent + 1);
-    for (int i = 0; i <= count; ++i) {
-        const double column = double(i) / count;
-        const double height = 2 * width * column / (1 + 2 * width - column);
-        all.push_back(1 - (1 - height) * (1 - height));
-    }
-    return all;
-}
-
-double sine_of(double cosine) {
-    return std::sqrt((1 - cosine) * (1 + cosine));
-}
 
 // Mean of value(w) over the lobe by its definition: in polar coordinates about R = +z, N in the
 // plane y = 0, the part above the horizon. Cut where the horizon first touches a circle around R.
@@ -159,83 +141,84 @@ TEST(ClippedLobe, HasTapsOfItsOwnMoments) {
         }
 }
 
-const auto TABLE = make_clipped_table();
+// A Phong lobe's mean and mean squares, by Funk-Hecke: (m + 1) / (m + 2) of its axis d, and
+// (1 + m d d) / (m + 3).
+struct Mixture {
+    Direction mean{};
+    double across = 0;   // mean square along y
+    double in_plane = 0; // along `side`
 
-float nearest_half(float value) {
-    if (value == 0) return 0;
-    const float step = std::ldexp(1.0f, std::max(std::ilogb(value), -14) - 10);
-    return std::nearbyint(value / step) * step;
-}
-
-// What a shader gets from a table of halves.
-ClippedTaps read_table(double cosine, double exponent) {
-    const ClippedTablePoint at = clipped_table_point(float(cosine), float(exponent));
-    const double x =
-        std::clamp(double(at.u) * CLIPPED_TABLE_WIDTH - 0.5, 0.0, CLIPPED_TABLE_WIDTH - 1.0);
-    const double y =
-        std::clamp(double(at.v) * CLIPPED_TABLE_HEIGHT - 0.5, 0.0, CLIPPED_TABLE_HEIGHT - 1.0);
-    const uint column = std::min(uint(x), CLIPPED_TABLE_WIDTH - 2);
-    const uint row = std::min(uint(y), CLIPPED_TABLE_HEIGHT - 2);
-    float texel[4] = {};
-    for (uint i = 0; i < 4; ++i) {
-        const auto stored = [&](uint below, uint right) {
-            const uint index = (row + below) * CLIPPED_TABLE_WIDTH + column + right;
-            return nearest_half(TABLE[index][i]);
-        };
-        texel[i] = float(std::lerp(std::lerp(stored(0, 0), stored(0, 1), x - column),
-                                   std::lerp(stored(1, 0), stored(1, 1), x - column), y - row));
+    void add(double share, Direction d, double m, Direction side) {
+        const double length = share * (m + 1) / (m + 2);
+        mean = {mean.x + length * d.x, mean.y + length * d.y, mean.z + length * d.z};
+        const double along_side = dot(d, side);
+        across += share * (1 + m * d.y * d.y) / (m + 3);
+        in_plane += share * (1 + m * along_side * along_side) / (m + 3);
     }
-    return clipped_taps(texel[0], texel[1], texel[2], texel[3], float(cosine), float(exponent));
+};
+
+Direction unit(double x, double y, double z) {
+    const double length = std::hypot(x, y, z);
+    return {x / length, y / length, z / length};
 }
 
-// Angle of axis + sideways N x R from R towards N, and from the plane of N and R.
-double shift_of(const ClippedTaps& taps, double cosine) {
-    return std::atan2(sine_of(cosine), cosine + double(taps.along_mirror));
-}
-double angle_of(const ClippedTaps& taps, double cosine) {
-    const double k = taps.along_mirror;
-    return std::atan(taps.across * sine_of(cosine) / std::sqrt(1 + k * (2 * cosine + k)));
-}
-
-TEST(ClippedTable, LiesInTheRangeThatHalvesHoldWell) {
-    EXPECT_EQ(TABLE.size(), CLIPPED_TABLE_WIDTH * CLIPPED_TABLE_HEIGHT);
-    for (const auto& texel : TABLE)
-        for (float value : texel) {
-            EXPECT_GE(value, -1e-6f);
-            EXPECT_LE(value, 1.0f);
-        }
-}
-
-TEST(ClippedTable, ReadsBetweenItsTexelsAsComputed) {
-    // Linear interpolation errs by an eighth of the second difference. The table's largest, across
-    // and down together, make 3.6e-3 for the shift, 1.9e-3 and 3.9e-3 for the variances, and 1e-2
-    // for the offset, that only at the pole, where the offset counts times a sine below a third.
-    // Halves add 2^-12.
-    for (double n : {0.0,  0.01, 0.1,  0.3,   0.7,   1.0,   1.7,    3.0,    4.8, 8.0, 13.0,
-                     22.0, 40.0, 64.0, 130.0, 256.0, 700.0, 1024.0, 5000.0, 3e4, 1e5, 1e6})
-        for (double c : cosines(n, 97)) {
-            const MatchedTaps exact = matched_taps(float(c), n);
-            const ClippedTaps taps = read_table(c, n);
-            const double width = 1 / std::sqrt(n + 1);
-            SCOPED_TRACE(testing::Message() << "cosine " << c << ", exponent " << n);
-            ASSERT_NEAR(shift_of(taps, float(c)), exact.shift, 4e-3 * width);
-            ASSERT_NEAR(taps.one_tap_variance * exact.one_tap_exponent, 1, 2.2e-3);
-            ASSERT_NEAR(taps.two_tap_variance * exact.two_tap_exponent, 1, 4.2e-3);
-            ASSERT_NEAR(angle_of(taps, float(c)), exact.two_tap_angle, 4e-3 * width);
-        }
-}
-
-TEST(ClippedTable, TakesAnyCosineAndExponent) {
+TEST(HorizonTaps, HaveTheClippedMomentsTogetherWithTheirPair) {
     for (double n : EXPONENTS)
-        for (double c : {-1e-6, 0.0, 1e-30, 1e-7, 0.999999, 1.0, 1.0 + 1e-6}) {
-            const ClippedTaps taps = read_table(c, n);
-            for (float value :
-                 {taps.along_mirror, taps.one_tap_variance, taps.two_tap_variance, taps.across})
-                EXPECT_TRUE(std::isfinite(value) && value >= 0)
-                    << value << " at cosine " << c << ", exponent " << n;
-            EXPECT_GT(taps.one_tap_variance, 0);
-            EXPECT_GT(taps.two_tap_variance, 0);
+        for (double c : cosines(n, 16)) {
+            SCOPED_TRACE(testing::Message() << "cosine " << c << ", exponent " << n);
+            const HorizonPair pair = horizon_pair(c, n);
+            EXPECT_GE(pair.weight, 0);
+            EXPECT_LT(pair.weight, 0.5);
+            EXPECT_GE(pair.exponent, (n + 1) * (1 - 1e-8));
+            EXPECT_LE(pair.exponent, 1.34 * n + 8);
+            if (c * std::sqrt(n + 1) > 5.3 * sine_of(c)) {
+                EXPECT_EQ(pair.weight, 0);
+            }
+
+            // R = +z, N x R = -y, the tangent from R towards N = +x
+            const double sine = sine_of(c);
+            const Direction axis{std::sin(pair.shift), 0, std::cos(pair.shift)};
+            const Direction side{axis.z, 0, -axis.x};
+            Mixture all;
+            for (double sign : {-1.0, 1.0}) {
+                const double out = sign * std::sin(pair.angle), in = std::cos(pair.angle);
+                all.add((1 + pair.weight) / 2, {in * axis.x, out, in * axis.z}, pair.exponent,
+                        side);
+            }
+            const HorizonTaps taps = horizon_taps(float(c), float(n));
+            const double x = taps.along_normal * sine,
+                         z = taps.along_mirror + taps.along_normal * c;
+            const double middle = double(HORIZON_MIDDLE_SHARE) * pair.weight;
+            const double outer = (pair.weight - middle) / 2;
+            if (pair.weight > 0) {
+                all.add(-middle, unit(x, 0, z), 1 / double(taps.middle_variance), side);
+                for (double sign : {-1.0, 1.0})
+                    all.add(-outer, unit(x, sign * taps.side * sine, z),
+                            1 / double(taps.side_variance), side);
+            }
+
+            const ClippedMoments moments = clipped_moments(c, n);
+            const double variance = moments.across;
+            EXPECT_NEAR(std::atan2(all.mean.x, all.mean.z), moments.shift,
+                        1e-8 * std::sqrt(variance));
+            EXPECT_NEAR(1 - std::hypot(all.mean.x, all.mean.z), moments.deficit, 1e-8 * variance);
+            const double turn = pair.shift - moments.shift;
+            const double in_plane =
+                std::cos(turn) * std::cos(turn) * moments.in_plane -
+                2 * std::sin(turn) * std::cos(turn) * moments.tilt +
+                std::sin(turn) * std::sin(turn) * (1 - moments.in_plane - moments.across);
+            EXPECT_NEAR(all.across - all.in_plane, moments.across - in_plane, 1e-8 * variance);
         }
+}
+
+TEST(HorizonTaps, StandAlongTheHorizon) {
+    // With the mirror direction on the horizon, 0.04 lobe widths below it and one beside.
+    for (double n : {0.0, 1.0, 16.0, 1024.0, 1e6}) {
+        const HorizonTaps taps = horizon_taps(0.0f, float(n));
+        const double width = 1 / std::sqrt(n + 1);
+        EXPECT_NEAR(taps.along_normal / taps.along_mirror, -0.0374 * width, 1e-6 * width);
+        EXPECT_NEAR(taps.side / taps.along_mirror, width, 1e-6 * width);
+    }
 }
 
 } // namespace
