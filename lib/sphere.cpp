@@ -1,10 +1,7 @@
 #include <lobelia/sphere.h>
 
-#include <cmath>
-
-#include <lobelia/lobe.h>
-
-#include "camera_rays.h"
+#include "sphere_methods.h"
+#include "sphere_params.h"
 #include "vk/full_screen_pass.h"
 #include "vk/guard.h"
 
@@ -12,73 +9,34 @@ namespace lobelia {
 
 namespace {
 
-struct vec4 {
-    float x, y, z, w;
-};
-#include "lobelia/sphere_params.glsl"
-static_assert(sizeof(SphereParams) == 128);
-
 constexpr std::uint32_t VERTEX_SPIRV[] = {
 #include "sphere.vert.inc"
 };
-constexpr std::uint32_t SPLIT_SUM_SPIRV[] = {
-#include "sphere.frag.inc"
-};
-constexpr std::uint32_t PREFILTERED_SPIRV[] = {
-#include "sphere_prefiltered.frag.inc"
-};
-constexpr std::uint32_t REFERENCE_SPIRV[] = {
-#include "sphere_reference.frag.inc"
-};
 
-constexpr VkDescriptorType SPLIT_SUM_BINDINGS[] = {
-    VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // background
-    VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // diffuse map
-    VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // specular map
-};
-constexpr VkDescriptorType PREFILTERED_BINDINGS[] = {
-    VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // background
-    VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // diffuse map
-    VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // specular map
-    VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         // the maps' scale and suns
-};
-constexpr VkDescriptorType REFERENCE_BINDINGS[] = {
-    VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // background
-    VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         // diffuse averages
-    VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         // specular averages
-};
-
-/// The fragment shader that draws with a shading, and what it reads.
-struct Program {
-    std::span<const std::uint32_t> spirv;
-    std::span<const VkDescriptorType> bindings;
-};
-
-Program program_for(const SphereShading& shading) {
-    if (shading.method == SphereMethod::reference) return {REFERENCE_SPIRV, REFERENCE_BINDINGS};
-    if (shading.prefiltered) return {PREFILTERED_SPIRV, PREFILTERED_BINDINGS};
-    return {SPLIT_SUM_SPIRV, SPLIT_SUM_BINDINGS};
+std::vector<VkDescriptorType> types_of(std::span<const SphereBinding> bindings) {
+    std::vector<VkDescriptorType> types;
+    for (const SphereBinding& binding : bindings) types.push_back(binding.type);
+    return types;
 }
 
-vec4 to_vec4(Vector a, float w) {
-    return {float(a.x), float(a.y), float(a.z), w};
+bool is_there(const SphereBinding& binding, const SphereSources& sources) {
+    return binding.view ? sources.*binding.view != VK_NULL_HANDLE
+                        : sources.*binding.buffer != VK_NULL_HANDLE;
 }
 
-SphereParams make_params(const SphereView& view) {
-    const CameraRays rays = camera_rays(view);
-    const auto& [kd, ks, exponent] = view.material;
-    return {.direction = to_vec4(rays.centre, kd[0]),
-            .direction_per_x = to_vec4(rays.per_x, kd[1]),
-            .direction_per_y = to_vec4(rays.per_y, kd[2]),
-            .moment = to_vec4(cross(rays.eye, rays.centre), ks[0]),
-            .moment_per_x = to_vec4(cross(rays.eye, rays.per_x), ks[1]),
-            .moment_per_y = to_vec4(cross(rays.eye, rays.per_y), ks[2]),
-            .centre = to_vec4(-1.0 * rays.eye,
-                              float(std::sqrt(std::max(dot(rays.eye, rays.eye) - 1.0, 0.0)))),
-            .exponent = exponent,
-            .width = view.width,
-            .height = view.height,
-            .background = view.background};
+// The binding itself, or the first of its type that has something to refer to.
+const SphereBinding* stand_in(const SphereBinding& binding, std::span<const SphereBinding> bindings,
+                              const SphereSources& sources) {
+    if (is_there(binding, sources)) return &binding;
+    for (const SphereBinding& other : bindings)
+        if (other.type == binding.type && is_there(other, sources)) return &other;
+    return nullptr;
+}
+
+vk::Resource resource(const SphereBinding& binding, const SphereSources& sources,
+                      VkSampler sampler) {
+    return binding.view ? vk::sampled_image(sources.*binding.view, sampler)
+                        : vk::buffer_range(sources.*binding.buffer);
 }
 
 } // namespace
@@ -86,7 +44,8 @@ SphereParams make_params(const SphereView& view) {
 struct Sphere::State {
     vk::Context context;
     SphereShading shading;
-    std::span<const VkDescriptorType> bindings;
+    std::span<const SphereBinding> bindings;
+    std::vector<VkDescriptorType> types; // of the bindings
     vk::Sampler sampler;
     vk::FullScreenPass pass;
 };
@@ -107,22 +66,28 @@ Result<Sphere> Sphere::create(const Device& device, const SphereTarget& target,
         if (!target.render_pass && target.format == VK_FORMAT_UNDEFINED)
             return Error{VK_ERROR_VALIDATION_FAILED_EXT,
                          "SphereTarget needs a render pass or a format"};
+        const SphereMethodEntry* const method = find_method(shading.method);
+        if (!method)
+            return Error{VK_ERROR_VALIDATION_FAILED_EXT, "SphereShading has no such method"};
         auto context = vk::load(device);
         if (!context) return context.error();
         auto state = std::make_shared<State>();
         state->context = *context;
         state->shading = shading;
-        const Program program = program_for(shading);
-        state->bindings = program.bindings;
+        state->bindings = method->bindings;
+        state->types = types_of(method->bindings);
         auto sampler = vk::make_sampler(state->context, VK_FILTER_LINEAR);
         if (!sampler) return sampler.error();
         state->sampler = std::move(*sampler);
 
-        const VkBool32 constants[] = {shading.diffuse, shading.specular, shading.background,
-                                      shading.specular_filter == MapFilter::spline};
+        const std::uint32_t constants[] = {
+            shading.diffuse,    shading.specular,
+            shading.background, shading.specular_filter == MapFilter::spline,
+            method->variant,
+        };
         const vk::FullScreenPassDescription description{.vertex_spirv = VERTEX_SPIRV,
-                                                        .fragment_spirv = program.spirv,
-                                                        .bindings = state->bindings,
+                                                        .fragment_spirv = method->spirv,
+                                                        .bindings = state->types,
                                                         .push_constant_size = sizeof(SphereParams),
                                                         .constants = constants,
                                                         .render_pass = target.render_pass,
@@ -138,39 +103,22 @@ Result<Sphere> Sphere::create(const Device& device, const SphereTarget& target,
 Result<SphereJob> Sphere::bind(const SphereSources& sources) const {
     return vk::guarded([&]() -> Result<SphereJob> {
         const SphereShading& shading = state_->shading;
-        const bool reference = shading.method == SphereMethod::reference;
-        const auto missing = [&](bool used, bool map, bool buffer) {
-            return used && !(reference ? buffer : map);
-        };
-        if (!sources.background ||
-            missing(shading.diffuse, sources.diffuse, sources.reference_diffuse) ||
-            missing(shading.specular, sources.specular, sources.reference_specular) ||
-            (!reference && shading.prefiltered && !sources.prefilter_state))
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "SphereSources lacks what the shading reads"};
-        if (reference && !sources.reference_diffuse && !sources.reference_specular)
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "a reference of neither lobe has nothing to show"};
-
-        // Every binding is written: some drivers read descriptors that the shader does not.
-        const auto map = [&](VkImageView view) {
-            return vk::sampled_image(view ? view : sources.background, state_->sampler.get());
-        };
-        const auto buffer = [&](VkBuffer wanted, VkBuffer other) {
-            return vk::buffer_range(wanted ? wanted : other);
-        };
-        const VkBuffer diffuse = sources.reference_diffuse;
-        const VkBuffer specular = sources.reference_specular;
-        const vk::Resource resources[] = {
-            map(sources.background),
-            reference ? buffer(diffuse, specular) : map(sources.diffuse),
-            reference ? buffer(specular, diffuse) : map(sources.specular),
-            vk::buffer_range(sources.prefilter_state),
-        };
+        const Error lacking{VK_ERROR_VALIDATION_FAILED_EXT,
+                            "SphereSources lacks what the shading reads"};
+        if (!sources.background) return lacking;
+        std::vector<vk::Resource> resources;
+        for (const SphereBinding& binding : state_->bindings) {
+            const bool needed =
+                (binding.diffuse && shading.diffuse) || (binding.specular && shading.specular);
+            if (needed && !is_there(binding, sources)) return lacking;
+            const SphereBinding* const found = stand_in(binding, state_->bindings, sources);
+            if (!found) return lacking;
+            resources.push_back(resource(*found, sources, state_->sampler.get()));
+        }
         auto sets = vk::make_descriptor_sets(
-            state_->context, state_->pass.interface.set_layout.get(), state_->bindings, 1);
+            state_->context, state_->pass.interface.set_layout.get(), state_->types, 1);
         if (!sets) return sets.error();
-        vk::write_descriptor_set(state_->context, sets->sets[0], state_->bindings, resources);
+        vk::write_descriptor_set(state_->context, sets->sets[0], state_->types, resources);
         return SphereJob(
             std::unique_ptr<SphereJob::State>(new SphereJob::State{state_, std::move(*sets)}));
     });

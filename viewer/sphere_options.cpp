@@ -17,10 +17,19 @@ constexpr Colour DEFAULT_DIFFUSE{0.3f, 0.3f, 0.3f};
 constexpr Colour DEFAULT_SPECULAR{0.6f, 0.6f, 0.6f};
 
 Outcome<SphereMethod> parse_method(std::string_view text) {
-    for (const SphereMethod method : {SphereMethod::split_sum, SphereMethod::reference})
-        if (text == method_name(method)) return method;
-    return host::Failure{"\"" + std::string(text) +
-                         "\" is no method; there are split-sum and reference"};
+    std::string names;
+    for (const host::RenderMethod& known : host::render_methods()) {
+        if (text == known.name) return known.method;
+        names += (names.empty() ? "" : ", ") + std::string(known.name);
+    }
+    return host::Failure{"\"" + std::string(text) + "\" is no method; there are " + names};
+}
+
+std::string method_help() {
+    std::string help = "default " + std::string(method_name(SphereOptions{}.method));
+    for (const host::RenderMethod& known : host::render_methods())
+        help += "; " + std::string(known.name) + ": " + known.what;
+    return help;
 }
 
 Material material_of(const SphereOptions& options) {
@@ -75,9 +84,7 @@ void add_sphere_options(CLI::App& verb, SphereOptions& options) {
     add_material(verb, options);
     add_camera(verb, options);
     add_environment(verb, options);
-    add_parsed(verb, "--method", parse_method, &options.method, "NAME",
-               "split-sum (prefiltered maps, the default) or reference (integrates over every "
-               "texel for every pixel: the ground truth)");
+    add_parsed(verb, "--method", parse_method, &options.method, "NAME", method_help());
     add_parsed(verb, "--quality", parse_quality, &options.quality, "NAME",
                "of the maps: fast, normal (the default) or high");
 }
@@ -96,10 +103,8 @@ host::RenderSettings settings_of(const SphereOptions& options) {
 }
 
 const char* method_name(SphereMethod method) {
-    switch (method) {
-    case SphereMethod::split_sum: return "split-sum";
-    case SphereMethod::reference: return "reference";
-    }
+    for (const host::RenderMethod& known : host::render_methods())
+        if (known.method == method) return known.name;
     return "";
 }
 

@@ -5,9 +5,8 @@
 #include <memory>
 
 #include <lobelia/device.h>
-#include <lobelia/image.h>
-#include <lobelia/prefilter.h>
 #include <lobelia/result.h>
+#include <lobelia/sphere_method.h>
 
 namespace lobelia {
 
@@ -25,25 +24,6 @@ struct Camera {
     std::array<float, 3> target{0, 0, 0};
     std::array<float, 3> up{0, 1, 0};
     float vertical_field_of_view = 30.0f; // degrees, in (0, 180)
-};
-
-/// How the sphere's colour is found.
-enum class SphereMethod : std::uint32_t {
-    split_sum, // kd P_1(N) + ks W(N.R, n) P_n(R), one fetch each
-    reference, // the same sum with the integrals of Exact, one value per pixel
-};
-
-/// What the pass is compiled for. A part that is left out costs no fetch and no code.
-struct SphereShading {
-    SphereMethod method = SphereMethod::split_sum;
-    bool diffuse = true;    // else kd counts as 0
-    bool specular = true;   // else ks counts as 0
-    bool background = true; // else nothing is drawn behind the sphere
-    /// The maps come from Prefilter: they have a scale and suns beside them, in
-    /// SphereSources::prefilter_state, and `specular_filter` says how the specular one is read.
-    /// Else they hold the averages as they are, read bilinearly.
-    bool prefiltered = false;
-    MapFilter specular_filter = MapFilter::bilinear;
 };
 
 /// What is drawn: the unit sphere at the origin, seen by `camera` in an image of width x height.
@@ -64,21 +44,6 @@ struct SphereTarget {
     VkRenderPass render_pass = VK_NULL_HANDLE; // null: dynamic rendering (the caller enabled it)
     std::uint32_t subpass = 0;
     VkFormat format = VK_FORMAT_UNDEFINED; // of colour attachment 0, linear
-};
-
-/// What the sphere pass reads; cube views in SHADER_READ_ONLY_OPTIMAL, of formats that can be
-/// filtered. What SphereShading leaves out may be null, except `background`, which also stands in
-/// for maps that are not there. SphereMethod::reference reads no maps but the result buffers of
-/// Exact, entry y * width + x for pixel (x, y): `diffuse` has the averages of the lobe of exponent
-/// 1 about the normal N, `specular` those of the exponent n about the mirror direction R, clipped
-/// by the horizon of N. Both may be null for SphereMethod::split_sum.
-struct SphereSources {
-    VkImageView background = VK_NULL_HANDLE;   // the environment
-    VkImageView diffuse = VK_NULL_HANDLE;      // P_1
-    VkImageView specular = VK_NULL_HANDLE;     // P_n
-    VkBuffer prefilter_state = VK_NULL_HANDLE; // with SphereShading::prefiltered
-    VkBuffer reference_diffuse = VK_NULL_HANDLE;
-    VkBuffer reference_specular = VK_NULL_HANDLE;
 };
 
 /// Maps bound for drawing. Made by Sphere::bind; independent of the object it came from, which may

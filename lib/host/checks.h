@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <vulkan/vulkan_core.h>
@@ -8,6 +9,11 @@
 #include <lobelia/sphere.h>
 
 namespace lobelia::host {
+
+/// Whether a lobe of this reflectance sends no light.
+inline bool is_black(const std::array<float, 3>& colour) {
+    return colour == std::array<float, 3>{};
+}
 
 /// Why a value is refused, or nothing.
 std::optional<Failure> check_exponent(float exponent);

@@ -62,6 +62,15 @@ Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::ui
 Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face = 0,
                                                  Quality quality = Quality::normal);
 
+/// A method that render() knows, as the command line names and explains it.
+struct RenderMethod {
+    SphereMethod method;
+    const char* name;
+    const char* what; // it does, for a list of methods
+};
+/// All of them, from the least exact on.
+std::vector<RenderMethod> render_methods();
+
 struct RenderSettings {
     SphereView view;
     SphereMethod method = SphereMethod::split_sum;

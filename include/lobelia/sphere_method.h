@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+#include <vulkan/vulkan_core.h>
+
+#include <lobelia/prefilter.h>
+
+namespace lobelia {
+
+/// How the sphere's colour is found.
+enum class SphereMethod : std::uint32_t {
+    plain_split_sum, // kd P_1(N) + ks W(N.R, n) P_n(R), from maps that hold these averages
+    split_sum,       // the same from Prefilter's maps, their scale and suns
+    reference,       // the same sum with the integrals of Exact, one value per pixel
+};
+
+/// What the pass is compiled for. A part that is left out costs no fetch and no code.
+struct SphereShading {
+    SphereMethod method = SphereMethod::plain_split_sum;
+    bool diffuse = true;    // else kd counts as 0
+    bool specular = true;   // else ks counts as 0
+    bool background = true; // else nothing is drawn behind the sphere
+    /// How `specular`, one of Prefilter's maps, is read; other maps are read bilinearly.
+    MapFilter specular_filter = MapFilter::bilinear;
+};
+
+/// What the sphere pass reads; cube views in SHADER_READ_ONLY_OPTIMAL, of formats that can be
+/// filtered. What the method does not read, or reads for a lobe that SphereShading leaves out, may
+/// be null; `background` is always there, since it also stands in for maps that are not.
+struct SphereSources {
+    VkImageView background = VK_NULL_HANDLE; // the environment
+
+    /// Both split sums: P_1 and P_n. `prefilter_state` is Prefilter's state buffer.
+    VkImageView diffuse = VK_NULL_HANDLE;
+    VkImageView specular = VK_NULL_HANDLE;
+    VkBuffer prefilter_state = VK_NULL_HANDLE;
+
+    /// reference: results of Exact, entry y * width + x for pixel (x, y): averages of the lobe of
+    /// exponent 1 about the normal N, and of the exponent n about the mirror direction R, clipped
+    /// by the horizon of N. At least one of them is there.
+    VkBuffer reference_diffuse = VK_NULL_HANDLE;
+    VkBuffer reference_specular = VK_NULL_HANDLE;
+};
+
+} // namespace lobelia

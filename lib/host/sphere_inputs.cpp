@@ -1,0 +1,119 @@
+#include "host/sphere_inputs.h"
+
+#include "host/averages.h"
+#include "host/checks.h"
+#include "host/maps.h"
+#include "host/reference.h"
+
+namespace lobelia::host {
+
+namespace {
+
+/// What one method's inputs are made from, and where they go.
+struct Making {
+    Gpu& gpu;
+    const GpuEnvironment& environment;
+    const RenderSettings& settings;
+    const Progress& progress;
+    SphereInputs& inputs;
+
+    const Material& material() const { return settings.view.material; }
+
+    VkImageView keep(GpuImage image) const {
+        inputs.bytes += image_bytes(image);
+        inputs.images.push_back(std::move(image));
+        return inputs.images.back().view();
+    }
+    VkBuffer keep(GpuBuffer buffer) const {
+        inputs.bytes += buffer.size();
+        inputs.buffers.push_back(std::move(buffer));
+        return inputs.buffers.back().handle();
+    }
+    void add(const WorkReport& more) const {
+        WorkReport& report = inputs.report;
+        report.passes.insert(report.passes.end(), more.passes.begin(), more.passes.end());
+        report.images.insert(report.images.end(), more.images.begin(), more.images.end());
+        if (more.suns) report.suns = more.suns;
+    }
+};
+
+/// Prefilter's maps: one at the material's exponent, and where `lambert` says so one for the
+/// diffuse lobe.
+Outcome<Done> add_maps(const Making& making, bool lambert) {
+    SphereInputs& inputs = making.inputs;
+    const std::span<const float> exponents(&making.material().exponent,
+                                           inputs.shading.specular ? 1 : 0);
+    auto made = make_maps(making.gpu, making.environment, exponents, lambert,
+                          making.settings.quality, making.progress);
+    if (!made) return made.error();
+    making.add(made->report);
+    inputs.sources.prefilter_state = making.keep(std::move(made->state));
+    if (lambert) inputs.sources.diffuse = making.keep(std::move(made->images.back()));
+    if (inputs.shading.specular) {
+        inputs.shading.specular_filter = made->descriptions.front().filter;
+        inputs.sources.specular = making.keep(std::move(made->images.front()));
+    }
+    return Done{};
+}
+
+Outcome<Done> make_split_sum(const Making& making) {
+    return add_maps(making, making.inputs.shading.diffuse);
+}
+
+Outcome<Done> make_reference(const Making& making) {
+    auto made =
+        make_references(making.gpu, making.environment, making.settings.view, making.progress);
+    if (!made) return made.error();
+    making.add(made->report);
+    SphereSources& sources = making.inputs.sources;
+    if (made->diffuse) sources.reference_diffuse = making.keep(std::move(*made->diffuse));
+    if (made->specular) sources.reference_specular = making.keep(std::move(*made->specular));
+    return Done{};
+}
+
+/// A method of the command line, and what is made for it.
+struct Recipe {
+    RenderMethod method;
+    Outcome<Done> (*make)(const Making&);
+};
+
+constexpr Recipe RECIPES[] = {
+    {{SphereMethod::split_sum, "split-sum", "prefiltered maps"}, make_split_sum},
+    {{SphereMethod::reference, "reference",
+      "integrates over every texel for every pixel: the ground truth"},
+     make_reference},
+};
+
+} // namespace
+
+std::vector<RenderMethod> render_methods() {
+    std::vector<RenderMethod> methods;
+    for (const Recipe& recipe : RECIPES) methods.push_back(recipe.method);
+    return methods;
+}
+
+Outcome<SphereInputs> make_sphere_inputs(Gpu& gpu, const GpuEnvironment& environment,
+                                         const RenderSettings& settings, const Progress& progress) {
+    const Material& material = settings.view.material;
+    SphereInputs inputs;
+    inputs.shading = {.method = settings.method,
+                      .diffuse = !is_black(material.diffuse),
+                      .specular = !is_black(material.specular),
+                      .background = settings.view.background};
+    inputs.sources.background = environment.cube.view();
+    if (settings.view.background) inputs.bytes += image_bytes(environment.cube);
+    if (!inputs.shading.diffuse && !inputs.shading.specular) {
+        // Black by every method: the one that reads the least shows it.
+        inputs.shading.method = SphereMethod::plain_split_sum;
+        return inputs;
+    }
+    for (const Recipe& recipe : RECIPES) {
+        if (recipe.method.method != settings.method) continue;
+        const auto made = recipe.make({gpu, environment, settings, progress, inputs});
+        if (!made) return made.error();
+        return inputs;
+    }
+    return Failure{"this method shows maps of its caller's, give one of render_methods()"};
+}
+
+} // namespace lobelia::host

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <lobelia/host/work.h>
+
+namespace lobelia::host {
+
+/// Everything that the sphere pass reads, with what owns it. An edit of the material needs no other
+/// inputs as long as the same lobes are black and, for methods whose maps are made for an exponent,
+/// the exponent stays.
+struct SphereInputs {
+    SphereShading shading;
+    SphereSources sources;
+    std::vector<GpuImage> images;
+    std::vector<GpuBuffer> buffers;
+    std::uint64_t bytes = 0; // of what the pass reads
+    WorkReport report;
+};
+
+/// Makes what `settings.method` reads, pass by pass.
+Outcome<SphereInputs> make_sphere_inputs(Gpu& gpu, const GpuEnvironment& environment,
+                                         const RenderSettings& settings, const Progress& progress);
+
+} // namespace lobelia::host

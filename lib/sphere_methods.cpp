@@ -1,0 +1,57 @@
+#include "sphere_methods.h"
+
+namespace lobelia {
+
+namespace {
+
+constexpr std::uint32_t PLAIN_SPIRV[] = {
+#include "sphere_plain.frag.inc"
+};
+constexpr std::uint32_t PREFILTERED_SPIRV[] = {
+#include "sphere_prefiltered.frag.inc"
+};
+constexpr std::uint32_t REFERENCE_SPIRV[] = {
+#include "sphere_reference.frag.inc"
+};
+
+using Sources = SphereSources;
+
+constexpr SphereBinding map(VkImageView Sources::*view, bool diffuse, bool specular) {
+    return {.type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+            .view = view,
+            .diffuse = diffuse,
+            .specular = specular};
+}
+constexpr SphereBinding storage(VkBuffer Sources::*buffer, bool diffuse, bool specular) {
+    return {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+            .buffer = buffer,
+            .diffuse = diffuse,
+            .specular = specular};
+}
+
+constexpr SphereBinding BACKGROUND = map(&Sources::background, true, true);
+constexpr SphereBinding DIFFUSE_MAP = map(&Sources::diffuse, true, false);
+constexpr SphereBinding SPECULAR_MAP = map(&Sources::specular, false, true);
+constexpr SphereBinding STATE = storage(&Sources::prefilter_state, true, true);
+
+constexpr SphereBinding PLAIN[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP};
+constexpr SphereBinding PREFILTERED[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP, STATE};
+constexpr SphereBinding REFERENCE[] = {BACKGROUND,
+                                       storage(&Sources::reference_diffuse, true, false),
+                                       storage(&Sources::reference_specular, false, true)};
+
+constexpr SphereMethodEntry METHODS[] = {
+    {SphereMethod::plain_split_sum, PLAIN_SPIRV, PLAIN},
+    {SphereMethod::split_sum, PREFILTERED_SPIRV, PREFILTERED},
+    {SphereMethod::reference, REFERENCE_SPIRV, REFERENCE},
+};
+
+} // namespace
+
+const SphereMethodEntry* find_method(SphereMethod method) noexcept {
+    for (const SphereMethodEntry& entry : METHODS)
+        if (entry.method == method) return &entry;
+    return nullptr;
+}
+
+} // namespace lobelia
