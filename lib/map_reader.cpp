@@ -15,7 +15,7 @@ constexpr std::uint32_t SPIRV[] = {
 
 constexpr VkDescriptorType BINDINGS[] = {
     VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // map
-    VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         // state
+    VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         // state
     VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         // directions
     VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,         // results
 };

@@ -107,6 +107,7 @@ Result<Done> PrefilterJob::State::bind_pass(const PlannedPass& planned) {
 // A binding that a pass has no use for repeats another of its kind: every binding must be valid.
 std::vector<vk::Resource> PrefilterJob::State::resources(const PlannedPass& planned) const {
     const vk::Resource image = vk::sampled_image(source.get(), shared->sampler.get());
+    const vk::Resource tiles = vk::buffer_range(scratch, 0, plan.state().tiles_bytes);
     const vk::Resource state_buffer = vk::buffer_range(state);
     const auto map = [&](std::size_t i) {
         const std::size_t last = planned.maps.empty() ? 0 : planned.maps.size() - 1;
@@ -117,10 +118,11 @@ std::vector<vk::Resource> PrefilterJob::State::resources(const PlannedPass& plan
         scratch, plan.state().terms_offset, std::max<VkDeviceSize>(plan.state().terms_bytes, 1));
     const auto texels = [&] { return vk::texel_buffer(levels[planned.source].get()); };
     switch (planned.kind) {
-    case PlannedPass::Kind::statistics:
-    case PlannedPass::Kind::suns:
-        return {image, vk::buffer_range(scratch, 0, plan.state().tiles_bytes), state_buffer};
-    case PlannedPass::Kind::prepare: return {image, state_buffer, level_buffer(planned.target)};
+    case PlannedPass::Kind::statistics: return {image, tiles};
+    case PlannedPass::Kind::suns: return {image, tiles, state_buffer};
+    case PlannedPass::Kind::prepare:
+    case PlannedPass::Kind::suns_out: return {image, state_buffer, level_buffer(planned.target)};
+    case PlannedPass::Kind::margins: return {level_buffer(planned.target)};
     case PlannedPass::Kind::halve: return {texels(), level_buffer(planned.target)};
     case PlannedPass::Kind::blur_level:
     case PlannedPass::Kind::blur_map: return {texels(), level_buffer(planned.target), map(0)};
@@ -154,7 +156,7 @@ void PrefilterJob::State::end(VkCommandBuffer commands) const noexcept {
     vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
                        VK_ACCESS_SHADER_WRITE_BIT,
                        VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
-                       VK_ACCESS_SHADER_READ_BIT);
+                       VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_UNIFORM_READ_BIT);
 }
 
 void PrefilterJob::State::record_pass(VkCommandBuffer commands,
@@ -176,8 +178,21 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
     case PlannedPass::Kind::suns: dispatch(StatisticsParams{source_size}, 1, 1); break;
     case PlannedPass::Kind::prepare: {
         const ChainLevel& to = level(planned.target);
-        dispatch(PrepareParams{to.size, to.margin, source_size / to.size},
-                 groups(to.size, GROUP_SIZE), FACES);
+        dispatch(PrepareParams{to.size, to.margin, planned.block}, groups(to.size, GROUP_SIZE),
+                 FACES);
+        break;
+    }
+    case PlannedPass::Kind::suns_out: {
+        const ChainLevel& to = level(planned.target);
+        dispatch(PrepareParams{to.size, to.margin, planned.block}, sun_window(to.size) / GROUP_SIZE,
+                 FACES * MOST_SUNS);
+        break;
+    }
+    case PlannedPass::Kind::margins: {
+        const ChainLevel& to = level(planned.target);
+        vk::begin_pass(context, commands, compute, set, MarginsParams{to.size, to.margin});
+        context.call.vkCmdDispatch(commands, groups(to.size, GROUP_SIZE),
+                                   groups(to.margin, GROUP_SIZE), 4 * FACES);
         break;
     }
     case PlannedPass::Kind::halve: {
@@ -213,7 +228,8 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
     }
     case PlannedPass::Kind::expand: {
         const std::uint32_t size = plan.maps()[planned.maps[0]].size;
-        ExpandParams params{size, {}};
+        ExpandParams params{
+            size, std::uint32_t(planned.values.size()) - 1, float(planned.narrowing), {}};
         std::copy(planned.values.begin(), planned.values.end(), params.eigenvalues.begin());
         vk::begin_pass(context, commands, compute, set, params);
         context.call.vkCmdDispatch(commands, groups(3 * size * size / 4, SUM_GROUP_SIZE), 1, 1);
@@ -229,7 +245,8 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
     }
     vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
                        VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                       VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT);
+                       VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT |
+                           VK_ACCESS_UNIFORM_READ_BIT);
 }
 
 void PrefilterJob::record(VkCommandBuffer commands, std::uint32_t first,

@@ -15,6 +15,9 @@ constexpr std::uint32_t SUNS_SPIRV[] = {
 constexpr std::uint32_t PREPARE_SPIRV[] = {
 #include "prepare.comp.inc"
 };
+constexpr std::uint32_t MARGINS_SPIRV[] = {
+#include "margins.comp.inc"
+};
 constexpr std::uint32_t HALVE_SPIRV[] = {
 #include "halve.comp.inc"
 };
@@ -37,10 +40,13 @@ constexpr std::uint32_t BROAD_SPIRV[] = {
 constexpr VkDescriptorType IMAGE = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType BUFFER = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr VkDescriptorType TEXELS = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+constexpr VkDescriptorType UNIFORM = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType MAP = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 
-constexpr VkDescriptorType STATISTICS_BINDINGS[] = {IMAGE, BUFFER, BUFFER}; // source, tiles, state
-constexpr VkDescriptorType PREPARE_BINDINGS[] = {IMAGE, BUFFER, BUFFER};    // source, state, level
+constexpr VkDescriptorType STATISTICS_BINDINGS[] = {IMAGE, BUFFER};         // source, tiles
+constexpr VkDescriptorType SUNS_BINDINGS[] = {IMAGE, BUFFER, BUFFER};       // source, tiles, state
+constexpr VkDescriptorType PREPARE_BINDINGS[] = {IMAGE, UNIFORM, BUFFER};   // source, state, level
+constexpr VkDescriptorType MARGINS_BINDINGS[] = {BUFFER};                   // level
 constexpr VkDescriptorType HALVE_BINDINGS[] = {TEXELS, BUFFER};             // source, level
 constexpr VkDescriptorType BLUR_BINDINGS[] = {TEXELS, BUFFER, MAP};         // source, level, map
 constexpr VkDescriptorType PROJECT_BINDINGS[] = {TEXELS, BUFFER};           // source, terms
@@ -48,9 +54,46 @@ constexpr VkDescriptorType SUM_BINDINGS[] = {BUFFER};                       // t
 constexpr VkDescriptorType EXPAND_BINDINGS[] = {BUFFER, MAP};               // terms, map
 constexpr VkDescriptorType BROAD_BINDINGS[] = {TEXELS, MAP, MAP, MAP, MAP}; // source, maps
 
-constexpr std::uint32_t TO_LEVEL[] = {0};
-constexpr std::uint32_t TO_MAP[] = {1};
-constexpr std::uint32_t MAP_COUNTS[BROAD_MAPS][1] = {{1}, {2}, {3}, {4}};
+/// One kind of pass: its shader and the specialisation constants of each variant.
+struct PassKind {
+    const char* name;
+    std::span<const std::uint32_t> spirv;
+    std::span<const VkDescriptorType> bindings;
+    std::uint32_t push_constant_size;
+    std::vector<std::vector<std::uint32_t>> variants = {{}};
+};
+
+PassKind describe(PlannedPass::Kind kind) {
+    switch (kind) {
+    case PlannedPass::Kind::statistics:
+        return {"statistics", STATISTICS_SPIRV, STATISTICS_BINDINGS, sizeof(StatisticsParams)};
+    case PlannedPass::Kind::suns:
+        return {"suns", SUNS_SPIRV, SUNS_BINDINGS, sizeof(StatisticsParams)};
+    case PlannedPass::Kind::prepare: // AT_SUNS, ONE_TEXEL
+        return {
+            "prepare", PREPARE_SPIRV, PREPARE_BINDINGS, sizeof(PrepareParams), {{0, 0}, {0, 1}}};
+    case PlannedPass::Kind::suns_out:
+        return {
+            "suns out", PREPARE_SPIRV, PREPARE_BINDINGS, sizeof(PrepareParams), {{1, 0}, {1, 1}}};
+    case PlannedPass::Kind::margins:
+        return {"margins", MARGINS_SPIRV, MARGINS_BINDINGS, sizeof(MarginsParams)};
+    case PlannedPass::Kind::halve:
+        return {"halve", HALVE_SPIRV, HALVE_BINDINGS, sizeof(HalveParams)};
+    case PlannedPass::Kind::blur_level: // TO_IMAGE
+        return {"blur level", BLUR_SPIRV, BLUR_BINDINGS, sizeof(BlurParams), {{0}}};
+    case PlannedPass::Kind::blur_map:
+        return {"blur map", BLUR_SPIRV, BLUR_BINDINGS, sizeof(BlurParams), {{1}}};
+    case PlannedPass::Kind::project:
+        return {"project", PROJECT_SPIRV, PROJECT_BINDINGS, sizeof(ProjectParams)};
+    case PlannedPass::Kind::sum: return {"sum", SUM_SPIRV, SUM_BINDINGS, sizeof(SumParams)};
+    case PlannedPass::Kind::expand:
+        return {"expand", EXPAND_SPIRV, EXPAND_BINDINGS, sizeof(ExpandParams)};
+    case PlannedPass::Kind::broad: break;
+    }
+    PassKind broad{"broad", BROAD_SPIRV, BROAD_BINDINGS, sizeof(BroadParams), {}};
+    for (std::uint32_t maps = 1; maps <= BROAD_MAPS; ++maps) broad.variants.push_back({maps});
+    return broad;
+}
 
 } // namespace
 
@@ -69,68 +112,31 @@ Result<Prefilter> Prefilter::create(const Device& device) {
         if (!sampler) return sampler.error();
         state->sampler = std::move(*sampler);
 
-        struct Made {
-            vk::ComputePass State::*pass;
-            vk::ComputePassDescription description;
-        };
-        const Made all[] = {
-            {&State::statistics,
-             {"statistics", STATISTICS_SPIRV, STATISTICS_BINDINGS, sizeof(StatisticsParams)}},
-            {&State::suns, {"suns", SUNS_SPIRV, STATISTICS_BINDINGS, sizeof(StatisticsParams)}},
-            {&State::prepare, {"prepare", PREPARE_SPIRV, PREPARE_BINDINGS, sizeof(PrepareParams)}},
-            {&State::halve, {"halve", HALVE_SPIRV, HALVE_BINDINGS, sizeof(HalveParams)}},
-            {&State::blur_level,
-             {"blur level", BLUR_SPIRV, BLUR_BINDINGS, sizeof(BlurParams), TO_LEVEL}},
-            {&State::blur_map, {"blur map", BLUR_SPIRV, BLUR_BINDINGS, sizeof(BlurParams), TO_MAP}},
-            {&State::project, {"project", PROJECT_SPIRV, PROJECT_BINDINGS, sizeof(ProjectParams)}},
-            {&State::sum, {"sum", SUM_SPIRV, SUM_BINDINGS, sizeof(SumParams)}},
-            {&State::expand, {"expand", EXPAND_SPIRV, EXPAND_BINDINGS, sizeof(ExpandParams)}},
-        };
-        for (const Made& made : all) {
-            auto pass = vk::make_compute_pass(state->context, made.description);
-            if (!pass) return pass.error();
-            state.get()->*made.pass = std::move(*pass);
-        }
-        for (std::uint32_t i = 0; i < BROAD_MAPS; ++i) {
-            auto pass = vk::make_compute_pass(state->context, {"broad", BROAD_SPIRV, BROAD_BINDINGS,
-                                                               sizeof(BroadParams), MAP_COUNTS[i]});
-            if (!pass) return pass.error();
-            state->broad[i] = std::move(*pass);
+        for (std::size_t kind = 0; kind < PASS_KINDS; ++kind) {
+            const PassKind made = describe(PlannedPass::Kind(kind));
+            for (const std::vector<std::uint32_t>& constants : made.variants) {
+                auto pass =
+                    vk::make_compute_pass(state->context, {made.name, made.spirv, made.bindings,
+                                                           made.push_constant_size, constants});
+                if (!pass) return pass.error();
+                state->passes[kind].push_back(std::move(*pass));
+            }
         }
         return Prefilter(std::move(state));
     });
 }
 
-const vk::ComputePass& Prefilter::State::pipeline(const PlannedPass& planned) const {
+std::size_t variant_of(const PlannedPass& planned) {
     switch (planned.kind) {
-    case PlannedPass::Kind::statistics: return statistics;
-    case PlannedPass::Kind::suns: return suns;
-    case PlannedPass::Kind::prepare: return prepare;
-    case PlannedPass::Kind::halve: return halve;
-    case PlannedPass::Kind::blur_level: return blur_level;
-    case PlannedPass::Kind::blur_map: return blur_map;
-    case PlannedPass::Kind::project: return project;
-    case PlannedPass::Kind::sum: return sum;
-    case PlannedPass::Kind::expand: return expand;
-    case PlannedPass::Kind::broad: break;
+    case PlannedPass::Kind::prepare:
+    case PlannedPass::Kind::suns_out: return planned.block == 1 ? 1 : 0;
+    case PlannedPass::Kind::broad: return planned.maps.size() - 1;
+    default: return 0;
     }
-    return broad[planned.maps.size() - 1];
 }
 
 std::span<const VkDescriptorType> prefilter_bindings(PlannedPass::Kind kind) {
-    switch (kind) {
-    case PlannedPass::Kind::statistics:
-    case PlannedPass::Kind::suns: return STATISTICS_BINDINGS;
-    case PlannedPass::Kind::prepare: return PREPARE_BINDINGS;
-    case PlannedPass::Kind::halve: return HALVE_BINDINGS;
-    case PlannedPass::Kind::blur_level:
-    case PlannedPass::Kind::blur_map: return BLUR_BINDINGS;
-    case PlannedPass::Kind::project: return PROJECT_BINDINGS;
-    case PlannedPass::Kind::sum: return SUM_BINDINGS;
-    case PlannedPass::Kind::expand: return EXPAND_BINDINGS;
-    case PlannedPass::Kind::broad: break;
-    }
-    return BROAD_BINDINGS;
+    return describe(kind).bindings;
 }
 
 } // namespace lobelia

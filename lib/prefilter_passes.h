@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include <lobelia/prefilter.h>
 
@@ -16,6 +17,9 @@ struct StatisticsParams {
 struct PrepareParams {
     std::uint32_t size, margin, block;
 };
+struct MarginsParams {
+    std::uint32_t size, margin;
+};
 struct HalveParams {
     std::uint32_t size, margin, source_margin;
 };
@@ -30,7 +34,8 @@ struct SumParams {
     std::uint32_t chunks;
 };
 struct ExpandParams {
-    std::uint32_t size;
+    std::uint32_t size, degree;
+    float reading;
     std::array<float, DEGREES> eigenvalues;
 };
 struct BroadParams {
@@ -39,13 +44,18 @@ struct BroadParams {
     float narrowing;
 };
 
+/// Which of the pipelines of its kind a pass runs.
+std::size_t variant_of(const PlannedPass& planned);
+
 struct Prefilter::State {
     vk::Context context;
     vk::Sampler sampler;
-    vk::ComputePass statistics, suns, prepare, halve, blur_level, blur_map, project, sum, expand;
-    vk::ComputePass broad[BROAD_MAPS]; // by the number of maps less one
+    // By kind, and of those with several by variant_of().
+    std::array<std::vector<vk::ComputePass>, PASS_KINDS> passes;
 
-    const vk::ComputePass& pipeline(const PlannedPass& planned) const;
+    const vk::ComputePass& pipeline(const PlannedPass& planned) const {
+        return passes[std::size_t(planned.kind)][variant_of(planned)];
+    }
 };
 
 /// The types of a pass's bindings, in their order.

@@ -16,6 +16,11 @@ VkDeviceSize ChainLevel::bytes() const {
     return 6 * stride * stride * TEXEL_BYTES;
 }
 
+std::uint32_t sun_window(std::uint32_t size) {
+    const std::uint32_t texels = std::uint32_t(2 * 3 * 0.015 * size / 2) + 3;
+    return (texels + 7) / 8 * 8;
+}
+
 Result<PrefilterPlan> PrefilterPlan::make(const PrefilterRequest& request) {
     return vk::guarded([&]() -> Result<PrefilterPlan> {
         const std::uint32_t size = request.source_size;
@@ -75,6 +80,17 @@ PrefilterPass PrefilterPlan::pass(std::uint32_t index) const noexcept {
     case PlannedPass::Kind::suns: return {"suns", GROUP, state_->tiles_bytes, state_size()};
     case PlannedPass::Kind::prepare:
         return {"prepare", target, source * SOURCE_BYTES, level(planned.target)};
+    case PlannedPass::Kind::suns_out: {
+        const std::uint64_t window = sun_window(state_->levels[planned.target].size);
+        const std::uint64_t most = MOST_SUNS * 6 * window * window;
+        return {"suns out", most, most * planned.block * planned.block * SOURCE_BYTES,
+                most * TEXEL_BYTES};
+    }
+    case PlannedPass::Kind::margins: {
+        const ChainLevel& filled = state_->levels[planned.target];
+        const std::uint64_t most = std::uint64_t(4) * 6 * filled.size * filled.margin;
+        return {"margins", most, most * TEXEL_BYTES, most * TEXEL_BYTES};
+    }
     case PlannedPass::Kind::halve:
         return {"halve", target, level(planned.source), level(planned.target)};
     case PlannedPass::Kind::blur_level:

@@ -24,9 +24,12 @@ constexpr std::uint32_t BROAD_MAPS = 4; // of one broad pass
 // As in the shaders: degrees of the spherical harmonics, their terms and a term's bytes, and texels
 // of a chunk of project.comp.
 constexpr std::uint32_t DEGREES = 29;
+constexpr double MEAN_READING = 0.6;
 constexpr std::uint32_t TERMS = DEGREES * (DEGREES + 1) / 2;
 constexpr std::uint32_t TERM_BYTES = 32;
 constexpr std::uint32_t CHUNK_TEXELS = 16 * 8;
+
+constexpr std::size_t PASS_KINDS = 12;
 
 /// One pass of the plan: where it reads and writes, by index into levels or maps.
 struct PlannedPass {
@@ -34,6 +37,8 @@ struct PlannedPass {
         statistics,
         suns,
         prepare,
+        suns_out,
+        margins,
         halve,
         blur_level,
         blur_map,
@@ -42,7 +47,8 @@ struct PlannedPass {
         expand,
         broad
     } kind;
-    std::uint32_t source = 0; // level; of `prepare` the source image
+    std::uint32_t block = 1;  // source texels a side of one of `prepare` and `suns_out`
+    std::uint32_t source = 0; // level; of `prepare` and `suns_out` the source image
     std::uint32_t target = 0; // level
     std::vector<std::uint32_t> maps;
     Kernel kernel{};
@@ -59,6 +65,12 @@ struct PrefilterPlan::State {
     VkDeviceSize terms_offset, terms_bytes; // partial sums of spherical harmonics
     VkDeviceSize scratch_bytes;
 };
+
+constexpr std::uint32_t MOST_SUNS = 8; // as in lobelia/suns.glsl
+
+/// Edge of the window of texels that holds a sun on a face of `size`: a sun's radius is 0.015
+/// radians, three times as long in the face's plane at a corner. A multiple of the group's edge.
+std::uint32_t sun_window(std::uint32_t size);
 
 /// Fills in the maps, levels and passes for a request that is valid.
 void plan_passes(const PrefilterRequest& request, PrefilterPlan::State& plan);

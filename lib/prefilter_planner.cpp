@@ -11,38 +11,45 @@ namespace {
 constexpr double NONE = std::numeric_limits<double>::infinity();
 constexpr VkDeviceSize ALIGNMENT = 256;        // no device asks for more at a buffer view's offset
 constexpr std::uint32_t LEAST_CHAIN_SIZE = 32; // coarser grids have an error of their own
-constexpr std::uint32_t LAMBERT_SIZE = 32;
-constexpr std::uint32_t BROAD_MAP_SIZE = 32;
+constexpr std::uint32_t LEAST_MAP_SIZE = 32;
+constexpr std::uint32_t SIZE_STEP = 16; // of maps: two texels for each of a workgroup's eight
 constexpr double CHAIN_EXPONENT = 45;   // below it harmonics are cheaper and better than the chain
 constexpr double HARMONIC_EXPONENT = 1; // below it their series is too long: direct sums
 
 /// What tells the tiers apart; docs/prefilter.md has what they reach.
 struct Tier {
     MapFilter filter;
-    double texels_per_sigma; // of a map
-    double cut;              // end of a kernel in standard deviations
-    double sharp_cut;        // the same for maps of SHARP_EXPONENT on, which cost most
+    double texels_per_sigma;        // of a map
+    std::uint32_t most_halvings;    // before the chain; MANY: there is none
+    double halved_texels_per_sigma; // of a kernel that reads a level made by halving
+    double chain_texels_per_sigma;  // of a level that the chain goes on from
+    double cut;                     // end of a kernel in standard deviations
+    double sharp_cut;               // the same for maps of SHARP_EXPONENT on, which cost most
+    double series_end;              // what harmonics leave out
+    double coarse_exponent; // the largest whose map may have LEAST_MAP_SIZE, else twice that
 };
+constexpr std::uint32_t MANY = 100;
 constexpr Tier TIERS[] = {
-    {MapFilter::bilinear, 1.4, 3.5, 3.5},
-    {MapFilter::spline, 1.4, 4.0, 3.6},
-    {MapFilter::spline, 1.7, 4.5, 4.5},
+    {MapFilter::spline, 1.0, MANY, 1.4, 0.71, 3.5, 3.3, 1e-3, NONE},
+    {MapFilter::spline, 1.4, 1, 1.0, 0.71, 4.0, 3.6, 1e-4, 36},
+    {MapFilter::spline, 1.7, 1, 1.0, 0.71, 4.5, 4.5, 3e-5, 8},
 };
 
-constexpr double HALVE_TEXELS_PER_SIGMA = 1.0;  // of a kernel that reads a level made by halving
-constexpr double CHAIN_TEXELS_PER_SIGMA = 0.71; // of a level that the chain goes on from
-constexpr double SHARP_EXPONENT = 1000;
+constexpr double START_TEXELS_PER_SIGMA = 2.83; // of half of the first level, of box averages
+constexpr double SHARP_EXPONENT = 1500;
 constexpr double CHAIN_RATIO = 2.2; // least ratio of exponents from a level to a map
 
 double sharpest_for(double size, double texels_per_sigma) {
     return std::pow(size / (2 * texels_per_sigma), 2);
 }
 
-std::uint32_t size_for(double exponent, double texels_per_sigma, std::uint32_t largest) {
-    if (exponent < 10) return BROAD_MAP_SIZE;
-    std::uint32_t size = std::min(exponent < CHAIN_EXPONENT ? 64 : LEAST_CHAIN_SIZE, largest);
-    while (size < largest && sharpest_for(size, texels_per_sigma) < exponent) size *= 2;
-    return size;
+/// Texels that a map of a lobe needs, a multiple of SIZE_STEP.
+std::uint32_t size_for(double exponent, const Tier& tier, std::uint32_t largest) {
+    const std::uint32_t least =
+        exponent > tier.coarse_exponent ? 2 * LEAST_MAP_SIZE : LEAST_MAP_SIZE;
+    const double needed = 2 * tier.texels_per_sigma * std::sqrt(exponent);
+    const double steps = std::ceil(std::min(needed, double(largest)) / SIZE_STEP - 1e-3);
+    return std::min(std::max(std::uint32_t(steps) * SIZE_STEP, least), largest);
 }
 
 double texel_variance(std::uint32_t size, double texels_squared) {
@@ -65,6 +72,20 @@ double mean_on_sphere(double face_variance) {
     return face_variance * sum / weights;
 }
 
+/// How many degrees of the series a lobe needs: what is left out is below `tolerance` of what a
+/// single direction's light gives the series, in the norm over the sphere.
+std::uint32_t degrees_for(double exponent, double tolerance) {
+    const std::vector<double> lambda = lobe_eigenvalues(exponent, 2 * MANY);
+    double left = 0;
+    std::uint32_t degrees = 2 * MANY;
+    for (; degrees > 1; --degrees) {
+        const double l = double(degrees - 1);
+        left += (2 * l + 1) * lambda[degrees - 1] * lambda[degrees - 1];
+        if (left > tolerance * tolerance) break;
+    }
+    return std::min(degrees, DEGREES);
+}
+
 class Planner {
 public:
     Planner(const PrefilterRequest& request, PrefilterPlan::State& plan)
@@ -73,7 +94,7 @@ public:
     void run(const PrefilterRequest& request) {
         plan_.source_size = request.source_size;
         for (const float exponent : request.exponents) add_map(exponent);
-        if (request.lambert) plan_.maps.push_back({1.0f, LAMBERT_SIZE, MapFilter::bilinear});
+        if (request.lambert) plan_.maps.push_back({1.0f, LEAST_MAP_SIZE, MapFilter::bilinear});
         start();
         for (std::uint32_t i = 0; i < plan_.maps.size(); ++i)
             if (double(plan_.maps[i].exponent) >= CHAIN_EXPONENT) plan_map(i);
@@ -83,9 +104,8 @@ public:
 
 private:
     void add_map(float exponent) {
-        plan_.maps.push_back({exponent,
-                              size_for(double(exponent), tier_.texels_per_sigma, plan_.source_size),
-                              tier_.filter});
+        plan_.maps.push_back(
+            {exponent, size_for(double(exponent), tier_, plan_.source_size), tier_.filter});
     }
 
     double sharpest() const {
@@ -101,13 +121,16 @@ private:
         plan_.passes.push_back({PlannedPass::Kind::suns});
         std::uint32_t size = std::min(2 * LEAST_CHAIN_SIZE, plan_.source_size);
         while (size < plan_.source_size &&
-               sharpest_for(size / 2, HALVE_TEXELS_PER_SIGMA) < sharpest())
+               sharpest_for(size / 2, START_TEXELS_PER_SIGMA) < sharpest())
             size *= 2;
         PlannedPass prepare{PlannedPass::Kind::prepare};
         prepare.target = add_level(size, NONE, texel_variance(size, 1.0 / 12), 2);
+        prepare.block = plan_.source_size / size;
         plan_.passes.push_back(prepare);
-        halved_ = prepare.target;
-        if (size > LEAST_CHAIN_SIZE) halved_ = halve(prepare.target);
+        prepare.kind = PlannedPass::Kind::suns_out;
+        plan_.passes.push_back(prepare);
+        fill_margins(prepare.target);
+        halved_ = {prepare.target};
     }
 
     std::uint32_t add_level(std::uint32_t size, double exponent, double face_variance,
@@ -123,17 +146,30 @@ private:
         pass.target = add_level(from.size / 2, from.exponent,
                                 from.face_variance + texel_variance(from.size, 0.75), 2);
         plan_.passes.push_back(pass);
+        fill_margins(pass.target);
         return pass.target;
+    }
+
+    void fill_margins(std::uint32_t level) {
+        PlannedPass pass{PlannedPass::Kind::margins};
+        pass.target = level;
+        plan_.passes.push_back(pass);
     }
 
     /// The coarsest level that a lobe of this exponent can be made from.
     std::uint32_t source_for(double exponent) {
-        const double limit = sharpest_for(plan_.levels[halved_].size, HALVE_TEXELS_PER_SIGMA);
-        if (exponent > limit) return 0;
-        std::uint32_t level = halved_;
+        std::uint32_t level = halved_[0];
+        for (std::uint32_t i = 1; i <= tier_.most_halvings; ++i) {
+            const std::uint32_t size = plan_.levels[level].size / 2;
+            if (size < LEAST_CHAIN_SIZE ||
+                sharpest_for(size, tier_.halved_texels_per_sigma) < exponent)
+                return level;
+            if (i == halved_.size()) halved_.push_back(halve(level));
+            level = halved_[i];
+        }
         for (std::size_t i = 0;; ++i) {
             const std::uint32_t size = plan_.levels[level].size / 2;
-            const double next = sharpest_for(size, CHAIN_TEXELS_PER_SIGMA);
+            const double next = sharpest_for(size, tier_.chain_texels_per_sigma);
             if (size < LEAST_CHAIN_SIZE || next < CHAIN_RATIO * exponent) return level;
             if (i == chain_.size()) chain_.push_back(blur_level(level, size, next));
             level = chain_[i];
@@ -146,6 +182,7 @@ private:
         pass.target = add_level(size, exponent, 0, 2);
         set_kernel(pass, exponent, 0);
         plan_.passes.push_back(pass);
+        fill_margins(pass.target);
         return pass.target;
     }
 
@@ -215,12 +252,12 @@ private:
 
     /// A level of the least size, blurred evenly.
     std::uint32_t low_source() {
-        const double exponent = sharpest_for(LEAST_CHAIN_SIZE, CHAIN_TEXELS_PER_SIGMA);
-        if (plan_.levels[halved_].size > LEAST_CHAIN_SIZE)
-            return source_for(exponent / CHAIN_RATIO);
-        if (plan_.levels[0].size > LEAST_CHAIN_SIZE)
-            return blur_level(0, LEAST_CHAIN_SIZE, exponent);
-        return 0;
+        const double exponent = sharpest_for(LEAST_CHAIN_SIZE, tier_.chain_texels_per_sigma);
+        const std::uint32_t first = plan_.levels[0].size;
+        if (first <= LEAST_CHAIN_SIZE) return 0;
+        if (tier_.most_halvings == 1 && first > 2 * LEAST_CHAIN_SIZE)
+            return source_for(exponent / CHAIN_RATIO); // a level of the chain
+        return blur_level(source_for(exponent), LEAST_CHAIN_SIZE, exponent);
     }
 
     void plan_harmonics(std::uint32_t source, const std::vector<std::uint32_t>& maps) {
@@ -233,12 +270,15 @@ private:
             VkDeviceSize(6) * from.size * from.size / CHUNK_TEXELS * TERMS * TERM_BYTES;
         for (const std::uint32_t index : maps) {
             const PrefilteredMap& map = plan_.maps[index];
-            const double blurred = mean_on_sphere(from.face_variance + read_variance(map));
+            const double blurred =
+                mean_on_sphere(from.face_variance) + MEAN_READING * read_variance(map);
             PlannedPass expand{PlannedPass::Kind::expand};
             expand.maps = {index};
-            const std::vector<double> to = lobe_eigenvalues(double(map.exponent), DEGREES);
-            const std::vector<double> done = lobe_eigenvalues(from.exponent, DEGREES);
-            for (std::uint32_t l = 0; l < DEGREES; ++l)
+            expand.narrowing = read_variance(map);
+            const std::uint32_t degrees = degrees_for(double(map.exponent), tier_.series_end);
+            const std::vector<double> to = lobe_eigenvalues(double(map.exponent), degrees);
+            const std::vector<double> done = lobe_eigenvalues(from.exponent, degrees);
+            for (std::uint32_t l = 0; l < degrees; ++l)
                 expand.values.push_back(to[l] / done[l] * std::exp(0.5 * l * (l + 1) * blurred));
             plan_.passes.push_back(expand);
         }
@@ -277,8 +317,9 @@ private:
 
     const Tier& tier_;
     PrefilterPlan::State& plan_;
-    std::uint32_t halved_ = 0;         // the level that the chain starts from
-    std::vector<std::uint32_t> chain_; // levels made so far, each half the size of the last
+    // Levels made so far, each half the size of the last: by halving alone, and from the last of
+    // those on by the chain.
+    std::vector<std::uint32_t> halved_, chain_;
 };
 
 } // namespace

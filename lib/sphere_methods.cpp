@@ -32,7 +32,8 @@ constexpr SphereBinding storage(VkBuffer Sources::*buffer, bool diffuse, bool sp
 constexpr SphereBinding BACKGROUND = map(&Sources::background, true, true);
 constexpr SphereBinding DIFFUSE_MAP = map(&Sources::diffuse, true, false);
 constexpr SphereBinding SPECULAR_MAP = map(&Sources::specular, false, true);
-constexpr SphereBinding STATE = storage(&Sources::prefilter_state, true, true);
+constexpr SphereBinding STATE = {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                                 .buffer = &Sources::prefilter_state};
 
 constexpr SphereBinding PLAIN[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP};
 constexpr SphereBinding PREFILTERED[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP, STATE};

@@ -9,7 +9,7 @@ layout(local_size_x = 64) in;
 layout(constant_id = 0) const bool SPLINE = false;
 
 layout(set = 0, binding = 0) uniform samplerCube map;
-layout(set = 0, binding = 1, std430) readonly buffer State { PrefilterState state; };
+layout(set = 0, binding = 1, std140) uniform State { PrefilterState state; };
 layout(set = 0, binding = 2, std430) readonly buffer Directions { vec4 directions[]; };
 layout(set = 0, binding = 3, std430) writeonly buffer Results { vec4 results[]; };
 

@@ -2,6 +2,8 @@
 #ifndef RADIANCE_GLSL
 #define RADIANCE_GLSL
 
+float luminance(vec3 radiance) { return dot(radiance, vec3(0.2126, 0.7152, 0.0722)); }
+
 // Radiance as the integration takes it: NaN and negative values are 0, and nothing is above 2^120
 // (1.3e36), infinity included, so that no sum of it overflows. Tests bits, since a shader may assume
 // that NaN does not occur.

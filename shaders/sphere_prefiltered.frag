@@ -9,7 +9,7 @@ layout(constant_id = 3) const bool SPLINE = false; // how the specular map is re
 
 layout(set = 0, binding = 1) uniform samplerCube diffuse_map;
 layout(set = 0, binding = 2) uniform samplerCube specular_map;
-layout(set = 0, binding = 3, std430) readonly buffer State { PrefilterState state; };
+layout(set = 0, binding = 3, std140) uniform State { PrefilterState state; };
 
 #define PREFILTER_STATE state
 #include "lobelia/prefiltered.glsl"

@@ -13,9 +13,9 @@ namespace lobelia {
 /// How exact the maps are and what they cost. docs/prefilter.md has the figures and the command
 /// that measures them.
 enum class Quality : std::uint32_t {
-    fast,   // one bilinear fetch
-    normal, // four bilinear fetches (cubic B-spline)
-    high,   // as normal with wider kernels, meant for a source of twice the size
+    fast,   // coarser maps and no chain of levels
+    normal, // what the rest of this is tuned for
+    high,   // finer maps and wider kernels, meant for a source of twice the size
 };
 
 /// How a map is meant to be read: the blur of that filter is left out of the map.
@@ -60,8 +60,8 @@ public:
     /// recorded commands have run.
     VkDeviceSize scratch_size() const noexcept;
 
-    /// Bytes of the state buffer, STORAGE_BUFFER usage: the maps' scale and suns (PrefilterState of
-    /// lobelia/suns.glsl), to be kept as long as the maps.
+    /// Bytes of the state buffer, STORAGE_BUFFER and UNIFORM_BUFFER usage: the maps' scale and suns
+    /// (PrefilterState of lobelia/suns.glsl), to be kept as long as the maps and read as uniforms.
     VkDeviceSize state_size() const noexcept;
 
     /// Number of passes; PrefilterJob::record() takes any range of them.

@@ -1,6 +1,6 @@
 // Reading prefiltered maps. GLSL only: these functions sample textures. Before it includes this file a
 // shader defines PREFILTER_STATE, the PrefilterState in its buffer, as in
-//     layout(set = 0, binding = 3, std430) readonly buffer State { PrefilterState state; };
+//     layout(set = 0, binding = 3, std140) uniform State { PrefilterState state; };
 //     #define PREFILTER_STATE state
 #ifndef LOBELIA_PREFILTERED_GLSL
 #define LOBELIA_PREFILTERED_GLSL

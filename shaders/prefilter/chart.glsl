@@ -14,12 +14,17 @@ struct ChartPoint {
     float density;
 };
 
-ChartPoint chart_point(vec2 at) {
+// The point of the cube's surface.
+vec3 chart_place(vec2 at) {
     vec2 on_face = clamp(at, -1.0, 1.0);
     vec2 beyond = abs(at - on_face);
-    vec3 p = vec3(on_face, 1.0 - beyond.x - beyond.y);
+    return vec3(on_face, 1.0 - beyond.x - beyond.y);
+}
+
+ChartPoint chart_point(vec2 at) {
+    vec3 p = chart_place(at);
     float shrink = inversesqrt(dot(p, p));
-    bool nothing = beyond.x > 0.0 && beyond.y > 0.0;
+    bool nothing = abs(at.x) > 1.0 && abs(at.y) > 1.0;
     return ChartPoint(p * shrink, nothing ? 0.0 : shrink * shrink * shrink);
 }
 

@@ -8,6 +8,11 @@
 #include "lobelia/cube.glsl"
 
 const int DEGREE = 28;
+
+// Share of a variance in the face's plane, in its coordinates, that there is on the sphere, about the
+// mean. The planner takes the same.
+const float MEAN_READING = 0.6;
+
 const int ORDERS = DEGREE + 1;
 const int TERMS = ORDERS * (ORDERS + 1) / 2; // pairs of degree l and order m <= l
 

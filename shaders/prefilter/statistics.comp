@@ -4,8 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "lobelia/cube.glsl"
-#define STATE_BINDING 2
-#include "prefilter/state.glsl"
+#include "radiance.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -1,12 +1,14 @@
 // Finds the suns. Texels above 64 times the clamped mean count as bright; the brightest is a sun's
-// seed, all bright texels within 0.04 radians belong to it, and so on until none is left or the list
+// seed, all bright texels within 0.015 radians belong to it, and so on until none is left or the list
 // is full. What does not fit stays in the map. One workgroup, in a fixed order: the same bits on
 // every run.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
 #include "lobelia/cube.glsl"
-#define STATE_BINDING 2
+#include "lobelia/suns.glsl"
+#include "radiance.glsl"
+layout(set = 0, binding = 2, std430) buffer State { PrefilterState state; };
 #include "prefilter/state.glsl"
 
 const uint TEAM = 64u; // also the texels of a tile
@@ -244,6 +246,10 @@ void main() {
         if (team_values[0] <= threshold) break;
         find_seed(bright_tiles[best], suns);
         gather(suns, threshold, count);
+    }
+    if (lane < MOST_SUNS && lane >= suns) {
+        state.suns[lane] = Sun(vec4(0.0), vec4(0.0));
+        state.seeds[lane] = vec4(0.0); // no direction is near it
     }
     if (lane == 0u) {
         // The power of two that brings the mean between 1 and 2.

@@ -43,7 +43,8 @@ TEST_F(EmbeddingTest, LightsASceneFromTheEnginesOwnObjects) {
         [&](VkDeviceSize bytes) {
             buffers.push_back(value_of(gpu.create_buffer(
                 bytes,
-                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
+                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
+                    VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
                 host::Memory::host)));
             return buffers.back().handle();
         }};

@@ -34,7 +34,8 @@ host::GpuBuffer PrefilterTest::storage(VkDeviceSize bytes, VkBufferUsageFlags mo
 Prefiltered PrefilterTest::make(const host::GpuImage& source, const Wanted& wanted,
                                 const std::vector<std::uint32_t>& split) {
     PrefilterPlan plan = plan_for(wanted, source.description().width);
-    Prefiltered made{plan, images_for(plan), storage(plan.state_size())};
+    Prefiltered made{plan, images_for(plan),
+                     storage(plan.state_size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT)};
     std::vector<CubeMap> targets;
     for (const host::GpuImage& map : made.maps) targets.push_back(cube_of(map));
     const host::GpuBuffer scratch =

@@ -25,7 +25,8 @@ namespace lobelia::test {
 namespace {
 
 constexpr std::uint32_t DIRECTIONS = 400;
-const std::vector<float> EXPONENTS = {1, 2, 4.8f, 8, 11, 37, 128, 150, 512, 700, 2048};
+const std::vector<float> EXPONENTS = {1,  2,   4.8f, 8,   11,  16,  32,   37,
+                                      64, 128, 150,  256, 512, 700, 1024, 2048};
 
 constexpr VkImageUsageFlags USAGE = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
                                     VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
@@ -34,11 +35,11 @@ constexpr VkFormat FLOATS = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr VkFormat HALVES = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 host::GpuBuffer storage(host::Gpu& gpu, VkDeviceSize bytes) {
-    return value_of(gpu.create_buffer(bytes,
-                                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                          VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
-                                          VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                      host::Memory::host));
+    return value_of(gpu.create_buffer(
+        bytes,
+        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
+            VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+        host::Memory::host));
 }
 
 host::GpuImage cube_image(host::Gpu& gpu, VkFormat format, std::uint32_t face,
