@@ -24,6 +24,7 @@ constexpr VkDescriptorType BINDINGS[] = {
 struct Params { // as in mips.glsl
     std::uint32_t size;
     std::uint32_t copy;
+    std::uint32_t equal;
 };
 
 constexpr vk::ComputePassDescription describe(std::span<const std::uint32_t> spirv) {
@@ -61,6 +62,7 @@ struct MipsJob::State {
     std::vector<vk::ImageView> target_views; // by level
     vk::DescriptorSets sets;                 // by level
     CubeMap target;
+    MipWeights weights;
 };
 
 Mips::Mips(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
@@ -87,7 +89,7 @@ Result<Mips> Mips::create(const Device& device) {
     });
 }
 
-Result<MipsJob> Mips::bind(const CubeMap& source, const CubeMap& target) const {
+Result<MipsJob> Mips::bind(const CubeMap& source, const CubeMap& target, MipWeights weights) const {
     return vk::guarded([&]() -> Result<MipsJob> {
         if (const char* rule = broken_rule(source, target))
             return Error{VK_ERROR_VALIDATION_FAILED_EXT, rule};
@@ -96,6 +98,7 @@ Result<MipsJob> Mips::bind(const CubeMap& source, const CubeMap& target) const {
         job->shared = state_;
         job->pass = target.format == VK_FORMAT_R16G16B16A16_SFLOAT ? &state_->half : &state_->whole;
         job->target = target;
+        job->weights = weights;
         auto source_view =
             vk::make_level_view(context, source.image, source.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
         if (!source_view) return source_view.error();
@@ -134,7 +137,7 @@ void MipsJob::record(VkCommandBuffer commands) const noexcept {
         const std::uint32_t size = target.size >> level;
         const std::uint32_t groups = (size + GROUP_SIZE - 1) / GROUP_SIZE;
         vk::begin_pass(context, commands, *state_->pass, state_->sets.sets[level],
-                       Params{size, level == 0});
+                       Params{size, level == 0, state_->weights == MipWeights::equal});
         context.call.vkCmdDispatch(commands, groups, groups, FACES);
         vk::image_barrier(context, commands, target.image, vk::STORED, vk::SAMPLED, level, 1);
     }

@@ -4,6 +4,9 @@ namespace lobelia {
 
 namespace {
 
+constexpr std::uint32_t KURT2019_SPIRV[] = {
+#include "sphere_kurt2019.frag.inc"
+};
 constexpr std::uint32_t PLAIN_SPIRV[] = {
 #include "sphere_plain.frag.inc"
 };
@@ -35,6 +38,7 @@ constexpr SphereBinding SPECULAR_MAP = map(&Sources::specular, false, true);
 constexpr SphereBinding STATE = {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                                  .buffer = &Sources::prefilter_state};
 
+constexpr SphereBinding KURT2019[] = {BACKGROUND, map(&Sources::blurred, true, true)};
 constexpr SphereBinding PLAIN[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP};
 constexpr SphereBinding PREFILTERED[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP, STATE};
 constexpr SphereBinding REFERENCE[] = {BACKGROUND,
@@ -42,6 +46,7 @@ constexpr SphereBinding REFERENCE[] = {BACKGROUND,
                                        storage(&Sources::reference_specular, false, true)};
 
 constexpr SphereMethodEntry METHODS[] = {
+    {SphereMethod::kurt2019, KURT2019_SPIRV, KURT2019},
     {SphereMethod::plain_split_sum, PLAIN_SPIRV, PLAIN},
     {SphereMethod::split_sum, PREFILTERED_SPIRV, PREFILTERED},
     {SphereMethod::reference, REFERENCE_SPIRV, REFERENCE},

@@ -1,6 +1,6 @@
 // One level of a cube map's mips: level 0 is the source made sane, each other one the averages of
-// two by two texels of the level before, weighted by their true solid angles, which add up to that
-// of the texel they make: every level has the same mean. The shader that includes this says how
+// two by two texels of the level before, weighted equally or by their true solid angles, which add up
+// to that of the texel they make: every level has the same mean. The shader that includes this says how
 // the target is stored: TARGET_FORMAT and, for what is given to imageStore, ROUNDED(value).
 #include "lobelia/cube.glsl"
 #include "radiance.glsl"
@@ -12,7 +12,8 @@ layout(set = 0, binding = 1, TARGET_FORMAT) uniform writeonly image2DArray targe
 
 layout(push_constant) uniform Params {
     uint size; // of the target
-    uint copy; // 1 for level 0
+    uint copy;  // 1 for level 0
+    uint equal; // 1 for equal weights
 };
 
 vec3 average(uvec3 texel) {
@@ -20,7 +21,7 @@ vec3 average(uvec3 texel) {
     float weights = 0.0;
     for (uint i = 0u; i < 4u; ++i) {
         uvec2 from = 2u * texel.xy + uvec2(i & 1u, i >> 1);
-        float weight = cube_texel_solid_angle(from.x, from.y, 2u * size);
+        float weight = equal == 1u ? 1.0 : cube_texel_solid_angle(from.x, from.y, 2u * size);
         sum += weight * texelFetch(source, ivec3(from, texel.z), 0).rgb;
         weights += weight;
     }

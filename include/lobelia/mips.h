@@ -8,6 +8,12 @@
 
 namespace lobelia {
 
+/// What the four texels below one count by.
+enum class MipWeights {
+    solid_angle, // the mean over the sphere is the same at every level
+    equal,       // as vkCmdBlitImage does and Kurt 2019 did: the mean drifts
+};
+
 /// A cube map bound to the mips made of it. Made by Mips::bind; independent of the object it came
 /// from, which may go first.
 class MipsJob {
@@ -30,9 +36,7 @@ private:
 
 /// A cube map with mips, for Importance and for shaders that filter with them. Level 0 is the
 /// source made sane: NaN and negative radiance become 0, and nothing stays above 2^120. Each
-/// further texel is the average of the four below it, each weighted by the solid angle it covers,
-/// so that the mean over the sphere is the same at every level, which the equal weights of
-/// vkCmdBlitImage do not give.
+/// further texel is the average of the four below it, weighted as asked.
 class Mips {
 public:
     /// Compiles the pipelines. Fails where Vulkan does.
@@ -47,7 +51,8 @@ public:
     /// (VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT tells), R16G16B16A16_SFLOAT is filtered
     /// everywhere, faster on most devices, and cuts radiance off at 65504. Both images must outlive
     /// the job's last use on the device.
-    Result<MipsJob> bind(const CubeMap& source, const CubeMap& target) const;
+    Result<MipsJob> bind(const CubeMap& source, const CubeMap& target,
+                         MipWeights weights = MipWeights::solid_angle) const;
 
     struct State;
 

@@ -10,6 +10,7 @@ namespace lobelia {
 
 /// How the sphere's colour is found.
 enum class SphereMethod : std::uint32_t {
+    kurt2019,        // six colours, as in the paper of the material (lobelia/kurt2019.glsl)
     plain_split_sum, // kd P_1(N) + ks W(N.R, n) P_n(R), from maps that hold these averages
     split_sum,       // the same from Prefilter's maps, their scale and suns
     reference,       // the same sum with the integrals of Exact, one value per pixel
@@ -30,6 +31,9 @@ struct SphereShading {
 /// be null; `background` is always there, since it also stands in for maps that are not.
 struct SphereSources {
     VkImageView background = VK_NULL_HANDLE; // the environment
+
+    /// kurt2019: the environment averaged (Mips, with MipWeights::equal); its last level is read.
+    VkImageView blurred = VK_NULL_HANDLE;
 
     /// Both split sums: P_1 and P_n. `prefilter_state` is Prefilter's state buffer.
     VkImageView diffuse = VK_NULL_HANDLE;

@@ -10,6 +10,7 @@
 #include "host/importance.h"
 #include "host/map_sizes.h"
 #include "host/maps.h"
+#include "host/mips.h"
 
 namespace lobelia::host {
 
@@ -75,7 +76,9 @@ Outcome<Prefiltering> by_importance(Gpu& gpu, const GpuEnvironment& environment,
     const bool filtered = settings.method == PrefilterMethod::filtered_importance;
     const auto importance = Importance::create(gpu.device());
     if (!importance) return core_failure(importance.error());
-    const auto mips = make_mips(gpu, environment, filtered);
+    // All levels for filtered sampling, else level 0 alone.
+    const std::uint32_t last_face = filtered ? 1 : environment.cube.description().width;
+    const auto mips = make_mips(gpu, environment, last_face, MipWeights::solid_angle);
     if (!mips) return mips.error();
     auto result =
         by_texel(settings, progress,

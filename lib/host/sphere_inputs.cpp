@@ -3,6 +3,7 @@
 #include "host/averages.h"
 #include "host/checks.h"
 #include "host/maps.h"
+#include "host/mips.h"
 #include "host/reference.h"
 
 namespace lobelia::host {
@@ -71,6 +72,25 @@ Outcome<Done> make_reference(const Making& making) {
     return Done{};
 }
 
+/// The environment's mips down to faces of `last_face` texels.
+Outcome<VkImageView> add_mips(const Making& making, std::uint32_t last_face, MipWeights weights) {
+    auto made = make_mips(making.gpu, making.environment, last_face, weights);
+    if (!made) return made.error();
+    made->report.images.front().lifetime = "kept";
+    making.add(made->report);
+    if (making.progress && !making.progress(1.0)) return Failure{"cancelled"};
+    return making.keep(std::move(made->image));
+}
+
+constexpr std::uint32_t KURT2019_FACE = 64; // texels
+
+Outcome<Done> make_kurt2019(const Making& making) {
+    const auto view = add_mips(making, KURT2019_FACE, MipWeights::equal);
+    if (!view) return view.error();
+    making.inputs.sources.blurred = *view;
+    return Done{};
+}
+
 /// A method of the command line, and what is made for it.
 struct Recipe {
     RenderMethod method;
@@ -78,6 +98,9 @@ struct Recipe {
 };
 
 constexpr Recipe RECIPES[] = {
+    {{SphereMethod::kurt2019, "kurt2019",
+      "six colours of the environment, as the material's paper"},
+     make_kurt2019},
     {{SphereMethod::split_sum, "split-sum", "prefiltered maps"}, make_split_sum},
     {{SphereMethod::reference, "reference",
       "integrates over every texel for every pixel: the ground truth"},

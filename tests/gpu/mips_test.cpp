@@ -16,8 +16,9 @@ constexpr double HALF = 0x1p-11; // of a half, rounded to the nearest
 
 class MipsTest : public GpuTest {
 protected:
-    std::vector<host::Image> levels_of(const oracle::Source& source, VkFormat format) {
-        const host::GpuImage mips = mips_of(gpu, on_device(gpu, image_of(source)), format);
+    std::vector<host::Image> levels_of(const oracle::Source& source, VkFormat format,
+                                       MipWeights weights = MipWeights::solid_angle) {
+        const host::GpuImage mips = mips_of(gpu, on_device(gpu, image_of(source)), format, weights);
         std::vector<host::Image> levels;
         for (std::uint32_t level = 0; level < mips.description().levels; ++level)
             levels.push_back(
@@ -27,29 +28,30 @@ protected:
 };
 
 /// The average over the texels of `source` that texel (x, y) of a level of `size` covers.
-Rgb block_average(const oracle::Source& source, int layer, int x, int y, int size) {
+Rgb block_average(const oracle::Source& source, int layer, int x, int y, int size,
+                  MipWeights weights) {
     const int block = source.width() / size;
     Rgb sum{};
-    double solid_angle = 0;
+    double total = 0;
     for (int j = y * block; j < (y + 1) * block; ++j)
         for (int i = x * block; i < (x + 1) * block; ++i) {
-            for (std::size_t c = 0; c < 3; ++c)
-                sum[c] += source.solid_angle(i, j) * source.texel(layer, i, j)[c];
-            solid_angle += source.solid_angle(i, j);
+            const double weight = weights == MipWeights::equal ? 1.0 : source.solid_angle(i, j);
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * source.texel(layer, i, j)[c];
+            total += weight;
         }
-    for (double& channel : sum) channel /= solid_angle;
+    for (double& channel : sum) channel /= total;
     return sum;
 }
 
 void expect_averages(const oracle::Source& source, const std::vector<host::Image>& levels,
-                     double rounding) {
+                     double rounding, MipWeights weights = MipWeights::solid_angle) {
     for (std::size_t level = 0; level < levels.size(); ++level) {
         const host::Image& image = levels[level];
         const int size = int(image.width);
         for (int layer = 0; layer < 6; ++layer)
             for (int y = 0; y < size; ++y)
                 for (int x = 0; x < size; ++x) {
-                    const Rgb expected = block_average(source, layer, x, y, size);
+                    const Rgb expected = block_average(source, layer, x, y, size, weights);
                     const auto found =
                         image.texel(std::uint32_t(layer), std::uint32_t(x), std::uint32_t(y));
                     for (std::size_t c = 0; c < 3; ++c)
@@ -67,6 +69,12 @@ TEST_F(MipsTest, AreAveragesBySolidAngle) {
             const oracle::Source source = oracle::random_cube(scene, size, 3);
             expect_averages(source, levels_of(source, VK_FORMAT_R32G32B32A32_SFLOAT), 0.0);
         }
+}
+
+TEST_F(MipsTest, ArePlainAveragesWithEqualWeights) {
+    const oracle::Source source = oracle::random_cube(Scene::noise, 32, 7);
+    const auto levels = levels_of(source, VK_FORMAT_R32G32B32A32_SFLOAT, MipWeights::equal);
+    expect_averages(source, levels, 0.0, MipWeights::equal);
 }
 
 TEST_F(MipsTest, AreTheSameInHalves) {

@@ -66,8 +66,9 @@ TEST_F(SphereTest, ShowsTheAlbedoInConstantLightByEveryMethod) {
     // The same through the program's own path: maps and averages are made from the environment.
     const host::GpuEnvironment white = upload(even_panorama(2, 1, 1.0f, 1.0f, 1.0f));
     oracle::Random random(8);
-    for (const SphereMethod method : {SphereMethod::split_sum, SphereMethod::reference})
+    for (const auto& [method, name, what] : host::render_methods())
         for (const float exponent : {0.0f, 1.0f, 4.8f, 64.0f, 1e3f}) {
+            SCOPED_TRACE(name);
             const SphereView view{.camera = random_camera(random),
                                   .material = grey(0.25f, 0.75f, exponent),
                                   .width = 16,
@@ -171,7 +172,7 @@ TEST_F(SphereTest, IsTransparentBlackWhereThereIsNoSphereAndNoBackground) {
 TEST_F(SphereTest, IsBlackWithoutReflectance) {
     const host::GpuEnvironment bright = upload(even_panorama(8, 4, 1e9f, 1e9f, 1e9f));
     SphereView view{.background = false, .width = 16, .height = 16};
-    for (const SphereMethod method : {SphereMethod::split_sum, SphereMethod::reference}) {
+    for (const auto& [method, name, what] : host::render_methods()) {
         const host::Image picture = draw(bright, view, method);
         for (std::size_t i = 0; i < picture.texels.size(); i += 4)
             for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(picture.texels[i + c], 0.0f);
@@ -216,6 +217,22 @@ TEST_F(SphereTest, GivesFiniteTexelsFromEveryPlace) {
             for (std::size_t i = 0; i < picture.texels.size(); ++i)
                 ASSERT_TRUE(picture.texels[i] >= 0.0f && picture.texels[i] <= 1.00001f)
                     << text(place.camera) << " texel " << i / 4 << " is " << picture.texels[i];
+        }
+}
+
+TEST_F(SphereTest, GivesFiniteTexelsOfEveryMaterialByEveryMethod) {
+    // Suns up to 1e9: what a material of kd + ks <= 1 sends on of it stays far from infinity.
+    const host::GpuEnvironment suns =
+        upload(image_of(oracle::random_cube(oracle::Scene::suns, 32, 9)));
+    const Material materials[] = {grey(0.5f, 0.5f, 0.0f), grey(1e-38f, 0.5f, 1e6f),
+                                  grey(0.5f, 1e-30f, 1e-30f)};
+    for (const auto& [method, name, what] : host::render_methods())
+        for (const Material& material : materials) {
+            const SphereView view{.material = material, .width = 7, .height = 5};
+            for (const float value : draw(suns, view, method).texels)
+                ASSERT_TRUE(value >= 0.0f && value < 1e30f)
+                    << name << " kd " << material.diffuse[0] << " ks " << material.specular[0]
+                    << " n " << material.exponent << " gives " << value;
         }
 }
 

@@ -107,7 +107,7 @@ TEST_F(WorkTest, MakesALargerCubeMapForHighQuality) {
 TEST_F(WorkTest, StopsWhenToldTo) {
     const host::GpuEnvironment environment = upload(even_panorama(64, 32, 1.0f, 1.0f, 1.0f));
     const SphereView view{.material = grey(0.5f, 0.5f, 4.0f), .width = 10, .height = 8};
-    for (const SphereMethod method : {SphereMethod::split_sum, SphereMethod::reference}) {
+    for (const auto& [method, name, what] : host::render_methods()) {
         double last = -1.0;
         const auto stopped =
             host::render(gpu, environment, {.view = view, .method = method}, [&](double done) {
@@ -116,7 +116,7 @@ TEST_F(WorkTest, StopsWhenToldTo) {
                 last = done;
                 return false;
             });
-        ASSERT_FALSE(stopped);
+        ASSERT_FALSE(stopped) << name;
         EXPECT_EQ(stopped.error().message, "cancelled");
     }
 }

@@ -14,7 +14,8 @@ namespace lobelia::test {
 
 /// The mips of a cube map, all levels.
 inline host::GpuImage mips_of(host::Gpu& gpu, const host::GpuImage& cube,
-                              VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT) {
+                              VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                              MipWeights weights = MipWeights::solid_angle) {
     const std::uint32_t size = cube.description().width;
     std::uint32_t levels = 1;
     while (size >> levels) ++levels;
@@ -28,7 +29,7 @@ inline host::GpuImage mips_of(host::Gpu& gpu, const host::GpuImage& cube,
                                    VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                           .cube = true}));
     const Mips mips = value_of(Mips::create(gpu.device()));
-    const MipsJob job = value_of(mips.bind(cube_of(cube), cube_of(image)));
+    const MipsJob job = value_of(mips.bind(cube_of(cube), cube_of(image), weights));
     value_of(gpu.submit([&](VkCommandBuffer commands) { job.record(commands); }));
     return image;
 }
