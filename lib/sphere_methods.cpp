@@ -4,6 +4,9 @@ namespace lobelia {
 
 namespace {
 
+constexpr std::uint32_t HARMONICS_SPIRV[] = {
+#include "sphere_harmonics.frag.inc"
+};
 constexpr std::uint32_t KURT2019_SPIRV[] = {
 #include "sphere_kurt2019.frag.inc"
 };
@@ -31,22 +34,32 @@ constexpr SphereBinding storage(VkBuffer Sources::*buffer, bool diffuse, bool sp
             .diffuse = diffuse,
             .specular = specular};
 }
+constexpr SphereBinding uniform(VkBuffer Sources::*buffer, bool diffuse, bool specular) {
+    return {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+            .buffer = buffer,
+            .diffuse = diffuse,
+            .specular = specular};
+}
 
 constexpr SphereBinding BACKGROUND = map(&Sources::background, true, true);
 constexpr SphereBinding DIFFUSE_MAP = map(&Sources::diffuse, true, false);
 constexpr SphereBinding SPECULAR_MAP = map(&Sources::specular, false, true);
-constexpr SphereBinding STATE = {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-                                 .buffer = &Sources::prefilter_state};
 
+constexpr SphereBinding HARMONICS[] = {BACKGROUND, SPECULAR_MAP,
+                                       uniform(&Sources::prefilter_state, false, true),
+                                       uniform(&Sources::irradiance, true, false)};
 constexpr SphereBinding KURT2019[] = {BACKGROUND, map(&Sources::blurred, true, true)};
 constexpr SphereBinding PLAIN[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP};
-constexpr SphereBinding PREFILTERED[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP, STATE};
+constexpr SphereBinding PREFILTERED[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP,
+                                         uniform(&Sources::prefilter_state, true, true)};
 constexpr SphereBinding REFERENCE[] = {BACKGROUND,
                                        storage(&Sources::reference_diffuse, true, false),
                                        storage(&Sources::reference_specular, false, true)};
 
 constexpr SphereMethodEntry METHODS[] = {
     {SphereMethod::kurt2019, KURT2019_SPIRV, KURT2019},
+    {SphereMethod::sh2, HARMONICS_SPIRV, HARMONICS, 2},
+    {SphereMethod::sh4, HARMONICS_SPIRV, HARMONICS, 4},
     {SphereMethod::plain_split_sum, PLAIN_SPIRV, PLAIN},
     {SphereMethod::split_sum, PREFILTERED_SPIRV, PREFILTERED},
     {SphereMethod::reference, REFERENCE_SPIRV, REFERENCE},

@@ -10,7 +10,9 @@ namespace lobelia {
 
 /// How the sphere's colour is found.
 enum class SphereMethod : std::uint32_t {
-    kurt2019,        // six colours, as in the paper of the material (lobelia/kurt2019.glsl)
+    kurt2019, // six colours, as in the paper of the material (lobelia/kurt2019.glsl)
+    sh2,      // kd by spherical harmonics of degree 2 (lobelia/irradiance.glsl), ks as split_sum
+    sh4,      // the same with degree 4
     plain_split_sum, // kd P_1(N) + ks W(N.R, n) P_n(R), from maps that hold these averages
     split_sum,       // the same from Prefilter's maps, their scale and suns
     reference,       // the same sum with the integrals of Exact, one value per pixel
@@ -35,7 +37,11 @@ struct SphereSources {
     /// kurt2019: the environment averaged (Mips, with MipWeights::equal); its last level is read.
     VkImageView blurred = VK_NULL_HANDLE;
 
-    /// Both split sums: P_1 and P_n. `prefilter_state` is Prefilter's state buffer.
+    /// sh2 and sh4: what Irradiance makes, a uniform buffer.
+    VkBuffer irradiance = VK_NULL_HANDLE;
+
+    /// Both split sums: P_1 and P_n; sh2 and sh4: P_n. `prefilter_state` is Prefilter's state
+    /// buffer, a uniform buffer here.
     VkImageView diffuse = VK_NULL_HANDLE;
     VkImageView specular = VK_NULL_HANDLE;
     VkBuffer prefilter_state = VK_NULL_HANDLE;

@@ -91,10 +91,9 @@ Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
                                                VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
                                            Memory::device);
     if (!scratch) return scratch.error();
-    auto state =
-        gpu.create_buffer(plan->state_size(),
-                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                          Memory::host);
+    auto state = gpu.create_buffer(
+        plan->state_size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+        Memory::host);
     if (!state) return state.error();
 
     std::vector<CubeMap> lent;

@@ -2,6 +2,7 @@
 
 #include "host/averages.h"
 #include "host/checks.h"
+#include "host/irradiance.h"
 #include "host/maps.h"
 #include "host/mips.h"
 #include "host/reference.h"
@@ -20,6 +21,11 @@ struct Making {
 
     const Material& material() const { return settings.view.material; }
 
+    /// For methods that make their inputs in one go.
+    Outcome<Done> go_on() const {
+        if (progress && !progress(1.0)) return Failure{"cancelled"};
+        return Done{};
+    }
     VkImageView keep(GpuImage image) const {
         inputs.bytes += image_bytes(image);
         inputs.images.push_back(std::move(image));
@@ -78,7 +84,7 @@ Outcome<VkImageView> add_mips(const Making& making, std::uint32_t last_face, Mip
     if (!made) return made.error();
     made->report.images.front().lifetime = "kept";
     making.add(made->report);
-    if (making.progress && !making.progress(1.0)) return Failure{"cancelled"};
+    if (const auto wanted = making.go_on(); !wanted) return wanted.error();
     return making.keep(std::move(made->image));
 }
 
@@ -91,6 +97,17 @@ Outcome<Done> make_kurt2019(const Making& making) {
     return Done{};
 }
 
+Outcome<Done> make_harmonics(const Making& making) {
+    if (making.inputs.shading.diffuse) {
+        auto made = make_irradiance(making.gpu, making.environment);
+        if (!made) return made.error();
+        making.add(made->report);
+        making.inputs.sources.irradiance = making.keep(std::move(made->buffer));
+    }
+    if (making.inputs.shading.specular) return add_maps(making, false);
+    return making.go_on();
+}
+
 /// A method of the command line, and what is made for it.
 struct Recipe {
     RenderMethod method;
@@ -101,6 +118,10 @@ constexpr Recipe RECIPES[] = {
     {{SphereMethod::kurt2019, "kurt2019",
       "six colours of the environment, as the material's paper"},
      make_kurt2019},
+    {{SphereMethod::sh2, "sh2",
+      "diffuse by spherical harmonics of degree 2, the rest as split-sum"},
+     make_harmonics},
+    {{SphereMethod::sh4, "sh4", "the same of degree 4"}, make_harmonics},
     {{SphereMethod::split_sum, "split-sum", "prefiltered maps"}, make_split_sum},
     {{SphereMethod::reference, "reference",
       "integrates over every texel for every pixel: the ground truth"},

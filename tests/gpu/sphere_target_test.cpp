@@ -83,7 +83,8 @@ protected:
 
 TEST_F(SphereTargetTest, GetsTheSameBitsEitherWay) {
     const host::GpuImage cube = on_device(gpu, image_of(random_cube(oracle::Scene::noise, 8, 5)));
-    const SphereSources sources{cube.view(), cube.view(), cube.view(), {}, {}};
+    const SphereSources sources{
+        .background = cube.view(), .diffuse = cube.view(), .specular = cube.view()};
     const SphereView view{.material = grey(0.5f, 0.5f, 16.0f), .width = 40, .height = 30};
     const host::Image passed = SpherePicture(gpu, 40, 30, {}).draw(sources, view);
     const host::Image dynamic = draw_dynamically(sources, view);

@@ -10,7 +10,9 @@ using oracle::Direction;
 struct White {
     explicit White(host::Gpu& gpu)
         : cube(on_device(gpu, {host::Layout::cube, 1, 1, 6, std::vector<float>(24, 1.0f)})) {}
-    SphereSources sources() const { return {cube.view(), cube.view(), cube.view(), {}, {}}; }
+    SphereSources sources() const {
+        return {.background = cube.view(), .diffuse = cube.view(), .specular = cube.view()};
+    }
     host::GpuImage cube;
 };
 
