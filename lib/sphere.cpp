@@ -69,6 +69,8 @@ Result<Sphere> Sphere::create(const Device& device, const SphereTarget& target,
         const SphereMethodEntry* const method = find_method(shading.method);
         if (!method)
             return Error{VK_ERROR_VALIDATION_FAILED_EXT, "SphereShading has no such method"};
+        if (shading.samples < 1 || shading.samples > SphereShading::MOST_SAMPLES)
+            return Error{VK_ERROR_VALIDATION_FAILED_EXT, "SphereShading takes 1 to 1024 samples"};
         auto context = vk::load(device);
         if (!context) return context.error();
         auto state = std::make_shared<State>();
@@ -83,7 +85,7 @@ Result<Sphere> Sphere::create(const Device& device, const SphereTarget& target,
         const std::uint32_t constants[] = {
             shading.diffuse,    shading.specular,
             shading.background, shading.specular_filter == MapFilter::spline,
-            method->variant,
+            method->variant,    shading.samples,
         };
         const vk::FullScreenPassDescription description{.vertex_spirv = VERTEX_SPIRV,
                                                         .fragment_spirv = method->spirv,

@@ -7,6 +7,9 @@ namespace {
 constexpr std::uint32_t HARMONICS_SPIRV[] = {
 #include "sphere_harmonics.frag.inc"
 };
+constexpr std::uint32_t IMPORTANCE_SPIRV[] = {
+#include "sphere_importance.frag.inc"
+};
 constexpr std::uint32_t KURT2019_SPIRV[] = {
 #include "sphere_kurt2019.frag.inc"
 };
@@ -48,6 +51,7 @@ constexpr SphereBinding SPECULAR_MAP = map(&Sources::specular, false, true);
 constexpr SphereBinding HARMONICS[] = {BACKGROUND, SPECULAR_MAP,
                                        uniform(&Sources::prefilter_state, false, true),
                                        uniform(&Sources::irradiance, true, false)};
+constexpr SphereBinding IMPORTANCE[] = {BACKGROUND, map(&Sources::mips, true, true)};
 constexpr SphereBinding KURT2019[] = {BACKGROUND, map(&Sources::blurred, true, true)};
 constexpr SphereBinding PLAIN[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP};
 constexpr SphereBinding PREFILTERED[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP,
@@ -62,6 +66,7 @@ constexpr SphereMethodEntry METHODS[] = {
     {SphereMethod::sh4, HARMONICS_SPIRV, HARMONICS, 4},
     {SphereMethod::plain_split_sum, PLAIN_SPIRV, PLAIN},
     {SphereMethod::split_sum, PREFILTERED_SPIRV, PREFILTERED},
+    {SphereMethod::importance, IMPORTANCE_SPIRV, IMPORTANCE},
     {SphereMethod::reference, REFERENCE_SPIRV, REFERENCE},
 };
 

@@ -31,10 +31,13 @@ std::string colour_text(const std::array<float, 3>& colour) {
 
 host::Metadata metadata_of(const host::RenderSettings& settings) {
     const Material& material = settings.view.material;
-    return {{"lobelia:method", method_name(settings.method)},
-            {"lobelia:kd", colour_text(material.diffuse)},
-            {"lobelia:ks", colour_text(material.specular)},
-            {"lobelia:n", number_text(material.exponent)}};
+    host::Metadata metadata{{"lobelia:method", method_name(settings.method)},
+                            {"lobelia:kd", colour_text(material.diffuse)},
+                            {"lobelia:ks", colour_text(material.specular)},
+                            {"lobelia:n", number_text(material.exponent)}};
+    if (settings.method == SphereMethod::importance)
+        metadata.emplace_back("lobelia:samples", std::to_string(settings.samples));
+    return metadata;
 }
 
 // Refuses what is not valid; what is only allowed gets its warning.
@@ -136,6 +139,7 @@ void add_render(CLI::App& program, int& status) {
     verb->callback([options, &status] {
         if (options->outputs.empty())
             options->outputs = {{"sphere.exr", FileKind::exr}, {"sphere.png", FileKind::png}};
+        check_usage(options->sphere);
         status = render_verb(*options);
     });
 }

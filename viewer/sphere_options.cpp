@@ -85,8 +85,15 @@ void add_sphere_options(CLI::App& verb, SphereOptions& options) {
     add_camera(verb, options);
     add_environment(verb, options);
     add_parsed(verb, "--method", parse_method, &options.method, "NAME", method_help());
+    add_parsed(verb, "--samples", parse_count, &options.samples, "N",
+               "fetches of each lobe by --method importance, 1 to 1024; default 64");
     add_parsed(verb, "--quality", parse_quality, &options.quality, "NAME",
                "of the maps: fast, normal (the default) or high");
+}
+
+void check_usage(const SphereOptions& options) {
+    if (options.samples && options.method != SphereMethod::importance)
+        throw CLI::ValidationError("--samples", "is for --method importance");
 }
 
 host::RenderSettings settings_of(const SphereOptions& options) {
@@ -99,7 +106,8 @@ host::RenderSettings settings_of(const SphereOptions& options) {
                      .width = options.width,
                      .height = options.height},
             .method = options.method,
-            .quality = options.quality};
+            .quality = options.quality,
+            .samples = options.samples.value_or(host::RenderSettings{}.samples)};
 }
 
 const char* method_name(SphereMethod method) {

@@ -21,12 +21,16 @@ struct SphereOptions {
     std::uint32_t width = 512;
     std::uint32_t height = 512;
     SphereMethod method = SphereMethod::split_sum;
+    std::optional<std::uint32_t> samples; // of each lobe
     Quality quality = Quality::normal;
     std::uint32_t face = 0; // of the environment's cube map, texels; 0: as the panorama needs
 };
 
 /// Adds the options of the material, the camera, the environment and the method.
 void add_sphere_options(CLI::App& verb, SphereOptions& options);
+
+/// Refuses options that do not go together, as wrong usage.
+void check_usage(const SphereOptions& options);
 
 /// The settings that the options stand for.
 host::RenderSettings settings_of(const SphereOptions& options);

@@ -15,6 +15,7 @@ enum class SphereMethod : std::uint32_t {
     sh4,      // the same with degree 4
     plain_split_sum, // kd P_1(N) + ks W(N.R, n) P_n(R), from maps that hold these averages
     split_sum,       // the same from Prefilter's maps, their scale and suns
+    importance,      // filtered importance sampling at run time (lobelia/importance_shading.glsl)
     reference,       // the same sum with the integrals of Exact, one value per pixel
 };
 
@@ -26,6 +27,8 @@ struct SphereShading {
     bool background = true; // else nothing is drawn behind the sphere
     /// How `specular`, one of Prefilter's maps, is read; other maps are read bilinearly.
     MapFilter specular_filter = MapFilter::bilinear;
+    std::uint32_t samples = 64; // fetches of each lobe by SphereMethod::importance
+    static constexpr std::uint32_t MOST_SAMPLES = 1024;
 };
 
 /// What the sphere pass reads; cube views in SHADER_READ_ONLY_OPTIMAL, of formats that can be
@@ -45,6 +48,9 @@ struct SphereSources {
     VkImageView diffuse = VK_NULL_HANDLE;
     VkImageView specular = VK_NULL_HANDLE;
     VkBuffer prefilter_state = VK_NULL_HANDLE;
+
+    /// importance: the environment with all its levels, as Mips makes them.
+    VkImageView mips = VK_NULL_HANDLE;
 
     /// reference: results of Exact, entry y * width + x for pixel (x, y): averages of the lobe of
     /// exponent 1 about the normal N, and of the exponent n about the mirror direction R, clipped

@@ -12,6 +12,9 @@ namespace {
 Outcome<Done> check(const Gpu& gpu, const RenderSettings& settings) {
     if (const auto refused = check_view(settings.view, gpu.limits())) return *refused;
     if (const auto refused = check_material(settings.view.material, true)) return *refused;
+    if (settings.samples < 1 || settings.samples > SphereShading::MOST_SAMPLES)
+        return Failure{"there are " + std::to_string(settings.samples) + " samples, give 1 to " +
+                       std::to_string(SphereShading::MOST_SAMPLES)};
     return Done{};
 }
 

@@ -108,6 +108,13 @@ Outcome<Done> make_harmonics(const Making& making) {
     return making.go_on();
 }
 
+Outcome<Done> make_importance(const Making& making) {
+    const auto view = add_mips(making, 1, MipWeights::solid_angle);
+    if (!view) return view.error();
+    making.inputs.sources.mips = *view;
+    return Done{};
+}
+
 /// A method of the command line, and what is made for it.
 struct Recipe {
     RenderMethod method;
@@ -123,6 +130,8 @@ constexpr Recipe RECIPES[] = {
      make_harmonics},
     {{SphereMethod::sh4, "sh4", "the same of degree 4"}, make_harmonics},
     {{SphereMethod::split_sum, "split-sum", "prefiltered maps"}, make_split_sum},
+    {{SphereMethod::importance, "importance", "filtered importance sampling, N samples a lobe"},
+     make_importance},
     {{SphereMethod::reference, "reference",
       "integrates over every texel for every pixel: the ground truth"},
      make_reference},
@@ -143,7 +152,8 @@ Outcome<SphereInputs> make_sphere_inputs(Gpu& gpu, const GpuEnvironment& environ
     inputs.shading = {.method = settings.method,
                       .diffuse = !is_black(material.diffuse),
                       .specular = !is_black(material.specular),
-                      .background = settings.view.background};
+                      .background = settings.view.background,
+                      .samples = settings.samples};
     inputs.sources.background = environment.cube.view();
     if (settings.view.background) inputs.bytes += image_bytes(environment.cube);
     if (!inputs.shading.diffuse && !inputs.shading.specular) {

@@ -74,7 +74,8 @@ std::vector<RenderMethod> render_methods();
 struct RenderSettings {
     SphereView view;
     SphereMethod method = SphereMethod::split_sum;
-    Quality quality = Quality::normal; // of the maps; the reference uses none
+    Quality quality = Quality::normal; // of Prefilter's maps, where the method reads them
+    std::uint32_t samples = 64;        // of each lobe, for SphereMethod::importance: 1 to 1024
 };
 
 struct Rendering {
