@@ -1,25 +1,30 @@
-# lobelia_embed_shaders(<target> <shader>...)
-# Compiles GLSL to SPIR-V for Vulkan 1.1, checks it, and puts <shader name>.inc (a C initializer
-# list of words) on the private include path of <target>. Rebuilds when any included .glsl changes.
+# Compiles GLSL to SPIR-V for Vulkan 1.1, checks it, and puts <name>.inc (a C initializer list of words)
+# on the private include path of <target>. Rebuilds when any included .glsl changes.
 find_program(GLSLANG glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
-function(lobelia_embed_shaders target)
-    set(include_dir ${PROJECT_SOURCE_DIR}/shaders)
+# lobelia_embed_shader(<target> <shader> <name> [<macro>...]): with the macros defined.
+function(lobelia_embed_shader target shader name)
+    cmake_path(ABSOLUTE_PATH shader)
     set(out_dir ${CMAKE_CURRENT_BINARY_DIR}/spirv)
+    set(out ${out_dir}/${name})
     file(MAKE_DIRECTORY ${out_dir})
-    foreach(shader IN LISTS ARGN)
-        cmake_path(ABSOLUTE_PATH shader)
-        cmake_path(GET shader FILENAME name)
-        set(out ${out_dir}/${name})
-        set(compile ${GLSLANG} --quiet --target-env vulkan1.1 -I${include_dir})
-        add_custom_command(
-            OUTPUT ${out}.inc
-            COMMAND ${compile} ${shader} -o ${out}.spv
-            COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${out}.spv
-            COMMAND ${compile} --depfile ${out}.d -x ${shader} -o ${out}.inc
-            DEPENDS ${shader} DEPFILE ${out}.d VERBATIM)
-        target_sources(${target} PRIVATE ${out}.inc)
-    endforeach()
+    list(TRANSFORM ARGN PREPEND -D)
+    set(compile ${GLSLANG} --quiet --target-env vulkan1.1 -I${PROJECT_SOURCE_DIR}/shaders ${ARGN})
+    add_custom_command(
+        OUTPUT ${out}.inc
+        COMMAND ${compile} ${shader} -o ${out}.spv
+        COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${out}.spv
+        COMMAND ${compile} --depfile ${out}.d -x ${shader} -o ${out}.inc
+        DEPENDS ${shader} DEPFILE ${out}.d VERBATIM)
+    target_sources(${target} PRIVATE ${out}.inc)
     target_include_directories(${target} PRIVATE ${out_dir})
+endfunction()
+
+# lobelia_embed_shaders(<target> <shader>...): each under its own name.
+function(lobelia_embed_shaders target)
+    foreach(shader IN LISTS ARGN)
+        cmake_path(GET shader FILENAME name)
+        lobelia_embed_shader(${target} ${shader} ${name})
+    endforeach()
 endfunction()

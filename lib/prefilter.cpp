@@ -37,7 +37,10 @@ struct PrefilterJob::State {
         return vk::buffer_range(scratch, level(index).offset, level(index).bytes());
     }
 
-    Result<Done> bind(const CubeMap& from, std::span<const CubeMap> to);
+    Result<Done> bind(const CubeMap& from, std::span<const CubeMap> to, VkImage ladder);
+    const vk::ComputePass& pipeline(const PlannedPass& planned) const {
+        return shared->pipeline(planned, plan.state().map_format == VK_FORMAT_R32G32B32A32_SFLOAT);
+    }
     Result<Done> bind_pass(const PlannedPass& planned);
     std::vector<vk::Resource> resources(const PlannedPass& planned) const;
 
@@ -48,24 +51,27 @@ struct PrefilterJob::State {
 
 Result<PrefilterJob> Prefilter::bind(const PrefilterPlan& plan, const CubeMap& source,
                                      std::span<const CubeMap> maps, VkBuffer scratch,
-                                     VkBuffer state) const {
+                                     VkBuffer state, VkImage ladder) const {
     return vk::guarded([&]() -> Result<PrefilterJob> {
         if (source.size != plan.state().source_size || maps.size() != plan.maps().size())
             return Error{VK_ERROR_VALIDATION_FAILED_EXT,
                          "the source and the maps are those of the plan"};
         for (std::size_t i = 0; i < maps.size(); ++i)
-            if (maps[i].size != plan.maps()[i].size ||
-                maps[i].format != VK_FORMAT_R16G16B16A16_SFLOAT)
+            if (maps[i].size != plan.maps()[i].size || maps[i].format != plan.state().map_format)
                 return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                             "a map has the plan's size and format R16G16B16A16_SFLOAT"};
+                             "a map has the plan's size and format"};
+        if ((ladder != VK_NULL_HANDLE) != (plan.ladder().rungs > 0))
+            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
+                         "a ladder's image is there where the plan has a ladder"};
         auto job = std::unique_ptr<PrefilterJob::State>(
             new PrefilterJob::State{state_, plan, {}, {}, {}, {}, {}, scratch, state});
-        if (auto bound = job->bind(source, maps); !bound) return bound.error();
+        if (auto bound = job->bind(source, maps, ladder); !bound) return bound.error();
         return PrefilterJob(std::move(job));
     });
 }
 
-Result<Done> PrefilterJob::State::bind(const CubeMap& from, std::span<const CubeMap> to) {
+Result<Done> PrefilterJob::State::bind(const CubeMap& from, std::span<const CubeMap> to,
+                                       VkImage ladder) {
     const vk::Context& context = shared->context;
     auto view = vk::make_level_view(context, from.image, from.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
     if (!view) return view.error();
@@ -77,6 +83,13 @@ Result<Done> PrefilterJob::State::bind(const CubeMap& from, std::span<const Cube
         maps.push_back(std::move(*map_view));
         map_images.push_back(map.image);
     }
+    for (std::uint32_t rung = 0; rung < plan.ladder().rungs; ++rung) {
+        auto rung_view =
+            vk::make_layers_view(context, ladder, plan.state().map_format, FACES * rung, FACES);
+        if (!rung_view) return rung_view.error();
+        maps.push_back(std::move(*rung_view));
+    }
+    if (ladder) map_images.push_back(ladder);
     for (const ChainLevel& level : plan.state().levels) {
         const VkBufferViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
                                           .buffer = scratch,
@@ -94,7 +107,7 @@ Result<Done> PrefilterJob::State::bind(const CubeMap& from, std::span<const Cube
 }
 
 Result<Done> PrefilterJob::State::bind_pass(const PlannedPass& planned) {
-    const vk::ComputePass& pass = shared->pipeline(planned);
+    const vk::ComputePass& pass = pipeline(planned);
     auto made = vk::make_descriptor_sets(shared->context, pass.interface.set_layout.get(),
                                          prefilter_bindings(planned.kind), 1);
     if (!made) return made.error();
@@ -163,7 +176,7 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
                                       std::uint32_t index) const noexcept {
     const vk::Context& context = shared->context;
     const PlannedPass& planned = pass(index);
-    const vk::ComputePass& compute = shared->pipeline(planned);
+    const vk::ComputePass& compute = pipeline(planned);
     const VkDescriptorSet set = sets[index].sets[0];
     const auto dispatch = [&](const auto& params, std::uint32_t across, std::uint32_t layers) {
         vk::begin_pass(context, commands, compute, set, params);
@@ -175,7 +188,9 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
     case PlannedPass::Kind::statistics:
         dispatch(StatisticsParams{source_size}, groups(source_size / TILE_SIZE, GROUP_SIZE), FACES);
         break;
-    case PlannedPass::Kind::suns: dispatch(StatisticsParams{source_size}, 1, 1); break;
+    case PlannedPass::Kind::suns:
+        dispatch(SunsParams{source_size, plan.ladder().rungs ? plan.ladder().lowest : 0.0f}, 1, 1);
+        break;
     case PlannedPass::Kind::prepare: {
         const ChainLevel& to = level(planned.target);
         dispatch(PrepareParams{to.size, to.margin, planned.block}, groups(to.size, GROUP_SIZE),
@@ -206,8 +221,9 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
         const bool to_map = planned.kind == PlannedPass::Kind::blur_map;
         const ChainLevel& from = level(planned.source);
         const std::uint32_t size =
-            to_map ? plan.maps()[planned.maps[0]].size : level(planned.target).size;
-        dispatch(BlurParams{from.size, from.margin, size, level(planned.target).margin,
+            to_map ? plan.state().maps[planned.maps[0]].size : level(planned.target).size;
+        const std::uint32_t across = to_map ? plan.state().across(planned.maps[0]) : size;
+        dispatch(BlurParams{from.size, from.margin, size, level(planned.target).margin, across,
                             float(planned.kernel.sharpness), float(planned.kernel.quadratic),
                             float(planned.kernel.last_chord), float(planned.narrowing)},
                  groups(size / 2, GROUP_SIZE), 1);
@@ -227,16 +243,18 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
         break;
     }
     case PlannedPass::Kind::expand: {
-        const std::uint32_t size = plan.maps()[planned.maps[0]].size;
-        ExpandParams params{
-            size, std::uint32_t(planned.values.size()) - 1, float(planned.narrowing), {}};
+        const std::uint32_t size = plan.state().maps[planned.maps[0]].size;
+        ExpandParams params{size | plan.state().across(planned.maps[0]) << 16,
+                            std::uint32_t(planned.values.size()) - 1,
+                            float(planned.narrowing),
+                            {}};
         std::copy(planned.values.begin(), planned.values.end(), params.eigenvalues.begin());
         vk::begin_pass(context, commands, compute, set, params);
         context.call.vkCmdDispatch(commands, groups(3 * size * size / 4, SUM_GROUP_SIZE), 1, 1);
         break;
     }
     case PlannedPass::Kind::broad: {
-        const std::uint32_t size = plan.maps()[planned.maps[0]].size;
+        const std::uint32_t size = plan.state().maps[planned.maps[0]].size;
         BroadParams params{{}, level(planned.source).size, size, float(planned.narrowing)};
         std::copy(planned.values.begin(), planned.values.end(), params.exponents.begin());
         dispatch(params, groups(size, BROAD_GROUP_SIZE), 1);

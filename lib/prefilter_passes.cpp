@@ -33,6 +33,15 @@ constexpr std::uint32_t SUM_SPIRV[] = {
 constexpr std::uint32_t EXPAND_SPIRV[] = {
 #include "expand.comp.inc"
 };
+constexpr std::uint32_t BLUR_FLOAT_SPIRV[] = {
+#include "blur_float.comp.inc"
+};
+constexpr std::uint32_t EXPAND_FLOAT_SPIRV[] = {
+#include "expand_float.comp.inc"
+};
+constexpr std::uint32_t BROAD_FLOAT_SPIRV[] = {
+#include "broad_float.comp.inc"
+};
 constexpr std::uint32_t BROAD_SPIRV[] = {
 #include "broad.comp.inc"
 };
@@ -54,44 +63,60 @@ constexpr VkDescriptorType SUM_BINDINGS[] = {BUFFER};                       // t
 constexpr VkDescriptorType EXPAND_BINDINGS[] = {BUFFER, MAP};               // terms, map
 constexpr VkDescriptorType BROAD_BINDINGS[] = {TEXELS, MAP, MAP, MAP, MAP}; // source, maps
 
-/// One kind of pass: its shader and the specialisation constants of each variant.
+/// A pipeline of a kind of pass.
+struct Variant {
+    std::span<const std::uint32_t> spirv;
+    std::vector<std::uint32_t> constants = {};
+};
+
 struct PassKind {
     const char* name;
-    std::span<const std::uint32_t> spirv;
     std::span<const VkDescriptorType> bindings;
     std::uint32_t push_constant_size;
-    std::vector<std::vector<std::uint32_t>> variants = {{}};
+    std::vector<Variant> variants; // by variant_of()
 };
 
 PassKind describe(PlannedPass::Kind kind) {
+    using Kind = PlannedPass::Kind;
     switch (kind) {
-    case PlannedPass::Kind::statistics:
-        return {"statistics", STATISTICS_SPIRV, STATISTICS_BINDINGS, sizeof(StatisticsParams)};
-    case PlannedPass::Kind::suns:
-        return {"suns", SUNS_SPIRV, SUNS_BINDINGS, sizeof(StatisticsParams)};
-    case PlannedPass::Kind::prepare: // AT_SUNS, ONE_TEXEL
-        return {
-            "prepare", PREPARE_SPIRV, PREPARE_BINDINGS, sizeof(PrepareParams), {{0, 0}, {0, 1}}};
-    case PlannedPass::Kind::suns_out:
-        return {
-            "suns out", PREPARE_SPIRV, PREPARE_BINDINGS, sizeof(PrepareParams), {{1, 0}, {1, 1}}};
-    case PlannedPass::Kind::margins:
-        return {"margins", MARGINS_SPIRV, MARGINS_BINDINGS, sizeof(MarginsParams)};
-    case PlannedPass::Kind::halve:
-        return {"halve", HALVE_SPIRV, HALVE_BINDINGS, sizeof(HalveParams)};
-    case PlannedPass::Kind::blur_level: // TO_IMAGE
-        return {"blur level", BLUR_SPIRV, BLUR_BINDINGS, sizeof(BlurParams), {{0}}};
-    case PlannedPass::Kind::blur_map:
-        return {"blur map", BLUR_SPIRV, BLUR_BINDINGS, sizeof(BlurParams), {{1}}};
-    case PlannedPass::Kind::project:
-        return {"project", PROJECT_SPIRV, PROJECT_BINDINGS, sizeof(ProjectParams)};
-    case PlannedPass::Kind::sum: return {"sum", SUM_SPIRV, SUM_BINDINGS, sizeof(SumParams)};
-    case PlannedPass::Kind::expand:
-        return {"expand", EXPAND_SPIRV, EXPAND_BINDINGS, sizeof(ExpandParams)};
-    case PlannedPass::Kind::broad: break;
+    case Kind::statistics:
+        return {"statistics", STATISTICS_BINDINGS, sizeof(StatisticsParams), {{STATISTICS_SPIRV}}};
+    case Kind::suns: return {"suns", SUNS_BINDINGS, sizeof(SunsParams), {{SUNS_SPIRV}}};
+    case Kind::prepare: // AT_SUNS, ONE_TEXEL
+        return {"prepare",
+                PREPARE_BINDINGS,
+                sizeof(PrepareParams),
+                {{PREPARE_SPIRV, {0, 0}}, {PREPARE_SPIRV, {0, 1}}}};
+    case Kind::suns_out:
+        return {"suns out",
+                PREPARE_BINDINGS,
+                sizeof(PrepareParams),
+                {{PREPARE_SPIRV, {1, 0}}, {PREPARE_SPIRV, {1, 1}}}};
+    case Kind::margins:
+        return {"margins", MARGINS_BINDINGS, sizeof(MarginsParams), {{MARGINS_SPIRV}}};
+    case Kind::halve: return {"halve", HALVE_BINDINGS, sizeof(HalveParams), {{HALVE_SPIRV}}};
+    case Kind::blur_level: // TO_IMAGE
+        return {"blur level", BLUR_BINDINGS, sizeof(BlurParams), {{BLUR_SPIRV, {0}}}};
+    case Kind::blur_map:
+        return {"blur map",
+                BLUR_BINDINGS,
+                sizeof(BlurParams),
+                {{BLUR_SPIRV, {1}}, {BLUR_FLOAT_SPIRV, {1}}}};
+    case Kind::project:
+        return {"project", PROJECT_BINDINGS, sizeof(ProjectParams), {{PROJECT_SPIRV}}};
+    case Kind::sum: return {"sum", SUM_BINDINGS, sizeof(SumParams), {{SUM_SPIRV}}};
+    case Kind::expand:
+        return {"expand",
+                EXPAND_BINDINGS,
+                sizeof(ExpandParams),
+                {{EXPAND_SPIRV}, {EXPAND_FLOAT_SPIRV}}};
+    case Kind::broad: break;
     }
-    PassKind broad{"broad", BROAD_SPIRV, BROAD_BINDINGS, sizeof(BroadParams), {}};
-    for (std::uint32_t maps = 1; maps <= BROAD_MAPS; ++maps) broad.variants.push_back({maps});
+    PassKind broad{"broad", BROAD_BINDINGS, sizeof(BroadParams), {}};
+    const std::span<const std::uint32_t> formats[] = {BROAD_SPIRV, BROAD_FLOAT_SPIRV};
+    for (const auto& spirv : formats)
+        for (std::uint32_t maps = 1; maps <= BROAD_MAPS; ++maps)
+            broad.variants.push_back({spirv, {maps}});
     return broad;
 }
 
@@ -114,10 +139,10 @@ Result<Prefilter> Prefilter::create(const Device& device) {
 
         for (std::size_t kind = 0; kind < PASS_KINDS; ++kind) {
             const PassKind made = describe(PlannedPass::Kind(kind));
-            for (const std::vector<std::uint32_t>& constants : made.variants) {
-                auto pass =
-                    vk::make_compute_pass(state->context, {made.name, made.spirv, made.bindings,
-                                                           made.push_constant_size, constants});
+            for (const Variant& variant : made.variants) {
+                auto pass = vk::make_compute_pass(state->context,
+                                                  {made.name, variant.spirv, made.bindings,
+                                                   made.push_constant_size, variant.constants});
                 if (!pass) return pass.error();
                 state->passes[kind].push_back(std::move(*pass));
             }
@@ -126,11 +151,13 @@ Result<Prefilter> Prefilter::create(const Device& device) {
     });
 }
 
-std::size_t variant_of(const PlannedPass& planned) {
+std::size_t variant_of(const PlannedPass& planned, bool float_maps) {
     switch (planned.kind) {
     case PlannedPass::Kind::prepare:
     case PlannedPass::Kind::suns_out: return planned.block == 1 ? 1 : 0;
-    case PlannedPass::Kind::broad: return planned.maps.size() - 1;
+    case PlannedPass::Kind::blur_map:
+    case PlannedPass::Kind::expand: return float_maps ? 1 : 0;
+    case PlannedPass::Kind::broad: return planned.maps.size() - 1 + (float_maps ? BROAD_MAPS : 0);
     default: return 0;
     }
 }

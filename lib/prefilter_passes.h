@@ -14,6 +14,10 @@ namespace lobelia {
 struct StatisticsParams {
     std::uint32_t size;
 };
+struct SunsParams {
+    std::uint32_t size;
+    float ladder_lowest;
+};
 struct PrepareParams {
     std::uint32_t size, margin, block;
 };
@@ -24,7 +28,7 @@ struct HalveParams {
     std::uint32_t size, margin, source_margin;
 };
 struct BlurParams {
-    std::uint32_t source_size, source_margin, size, margin;
+    std::uint32_t source_size, source_margin, size, margin, across;
     float sharpness, quadratic, last_chord, narrowing;
 };
 struct ProjectParams {
@@ -34,7 +38,7 @@ struct SumParams {
     std::uint32_t chunks;
 };
 struct ExpandParams {
-    std::uint32_t size, degree;
+    std::uint32_t size_across, degree;
     float reading;
     std::array<float, DEGREES> eigenvalues;
 };
@@ -45,7 +49,7 @@ struct BroadParams {
 };
 
 /// Which of the pipelines of its kind a pass runs.
-std::size_t variant_of(const PlannedPass& planned);
+std::size_t variant_of(const PlannedPass& planned, bool float_maps);
 
 struct Prefilter::State {
     vk::Context context;
@@ -53,8 +57,8 @@ struct Prefilter::State {
     // By kind, and of those with several by variant_of().
     std::array<std::vector<vk::ComputePass>, PASS_KINDS> passes;
 
-    const vk::ComputePass& pipeline(const PlannedPass& planned) const {
-        return passes[std::size_t(planned.kind)][variant_of(planned)];
+    const vk::ComputePass& pipeline(const PlannedPass& planned, bool float_maps) const {
+        return passes[std::size_t(planned.kind)][variant_of(planned, float_maps)];
     }
 };
 

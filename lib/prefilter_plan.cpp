@@ -1,5 +1,7 @@
 #include "prefilter_plan.h"
 
+#include <lobelia/lobe.h>
+
 #include "vk/guard.h"
 
 namespace lobelia {
@@ -8,6 +10,7 @@ namespace {
 
 constexpr VkDeviceSize TEXEL_BYTES = 8;
 constexpr float LARGEST_EXPONENT = 1e6f;
+constexpr float LARGEST_LADDER = 4.1e6f; // what taps ask of the sharpest lobe
 
 } // namespace
 
@@ -21,13 +24,27 @@ std::uint32_t sun_window(std::uint32_t size) {
     return (texels + 7) / 8 * 8;
 }
 
+float exponent_at(const Ladder& ladder, std::uint32_t rung) noexcept {
+    return ladder_exponent(ladder.lowest, float(rung));
+}
+
 Result<PrefilterPlan> PrefilterPlan::make(const PrefilterRequest& request) {
     return vk::guarded([&]() -> Result<PrefilterPlan> {
         const std::uint32_t size = request.source_size;
         if (size < 16 || size > 1024 || (size & (size - 1)))
             return Error{VK_ERROR_VALIDATION_FAILED_EXT,
                          "the source's faces are a power of two from 16 to 1024"};
-        if (request.exponents.empty() && !request.lambert)
+        const Ladder& ladder = request.ladder;
+        if (ladder.rungs == 1 ||
+            (ladder.rungs &&
+             !(ladder.lowest >= 1 && exponent_at(ladder, ladder.rungs - 1) <= LARGEST_LADDER)))
+            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
+                         "a ladder has at least two rungs, from exponent 1 to 4e6"};
+        if (request.map_format != VK_FORMAT_R16G16B16A16_SFLOAT &&
+            request.map_format != VK_FORMAT_R32G32B32A32_SFLOAT)
+            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
+                         "maps have format R16G16B16A16_SFLOAT or R32G32B32A32_SFLOAT"};
+        if (request.exponents.empty() && !request.lambert && !ladder.rungs)
             return Error{VK_ERROR_VALIDATION_FAILED_EXT, "a prefilter makes at least one map"};
         for (const float exponent : request.exponents)
             if (!(exponent >= 0 && exponent <= LARGEST_EXPONENT))
@@ -43,7 +60,13 @@ PrefilterPlan::PrefilterPlan(std::shared_ptr<const State> state) noexcept
     : state_(std::move(state)) {}
 
 std::span<const PrefilteredMap> PrefilterPlan::maps() const noexcept {
-    return state_->maps;
+    return std::span(state_->maps).first(state_->map_count);
+}
+Ladder PrefilterPlan::ladder() const noexcept {
+    return state_->ladder;
+}
+std::uint32_t PrefilterPlan::ladder_size() const noexcept {
+    return state_->ladder.rungs ? state_->maps.back().size : 0;
 }
 VkDeviceSize PrefilterPlan::scratch_size() const noexcept {
     return state_->scratch_bytes;
@@ -69,7 +92,8 @@ PrefilterPass PrefilterPlan::pass(std::uint32_t index) const noexcept {
     constexpr std::uint64_t PLACES = 4 * 6;    // texels of an invocation of blur.comp
     const PlannedPass& planned = state_->passes[index];
     const auto level = [&](std::uint32_t i) { return state_->levels[i].bytes(); };
-    const auto map = [&](std::uint32_t i) { return texels(state_->maps[i].size) * TEXEL_BYTES; };
+    const std::uint64_t map_bytes = state_->map_format == VK_FORMAT_R16G16B16A16_SFLOAT ? 8 : 16;
+    const auto map = [&](std::uint32_t i) { return texels(state_->maps[i].size) * map_bytes; };
     const std::uint64_t source = texels(state_->source_size);
     const std::uint64_t terms = std::uint64_t(TERMS) * TERM_BYTES;
     const std::uint64_t target =

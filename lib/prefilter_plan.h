@@ -58,7 +58,15 @@ struct PlannedPass {
 
 struct PrefilterPlan::State {
     std::uint32_t source_size;
-    std::vector<PrefilteredMap> maps;
+    VkFormat map_format;
+    std::vector<PrefilteredMap> maps; // and after `map_count` the ladder's rungs
+    std::size_t map_count;
+    Ladder ladder;
+    bool is_rung(std::uint32_t map) const { return map >= map_count; }
+    /// Texels across a face of a map, less one where they reach its edges: see prefilter/map.glsl.
+    std::uint32_t across(std::uint32_t map) const {
+        return is_rung(map) ? maps[map].size - 1 : maps[map].size;
+    }
     std::vector<ChainLevel> levels;
     std::vector<PlannedPass> passes;
     VkDeviceSize tiles_bytes;

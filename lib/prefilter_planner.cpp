@@ -22,6 +22,7 @@ struct Tier {
     double texels_per_sigma;        // of a map
     std::uint32_t most_halvings;    // before the chain; MANY: there is none
     double halved_texels_per_sigma; // of a kernel that reads a level made by halving
+    double ladder_texels_per_sigma; // of the ladder's lowest rung, and half of that of its highest
     double chain_texels_per_sigma;  // of a level that the chain goes on from
     double cut;                     // end of a kernel in standard deviations
     double sharp_cut;               // the same for maps of SHARP_EXPONENT on, which cost most
@@ -30,9 +31,9 @@ struct Tier {
 };
 constexpr std::uint32_t MANY = 100;
 constexpr Tier TIERS[] = {
-    {MapFilter::spline, 1.0, MANY, 1.4, 0.71, 3.5, 3.3, 1e-3, NONE},
-    {MapFilter::spline, 1.4, 1, 1.0, 0.71, 4.0, 3.6, 1e-4, 36},
-    {MapFilter::spline, 1.7, 1, 1.0, 0.71, 4.5, 4.5, 3e-5, 8},
+    {MapFilter::spline, 1.0, MANY, 1.4, 1.4, 0.71, 3.5, 3.3, 1e-3, NONE},
+    {MapFilter::spline, 1.4, 1, 1.0, 2.0, 0.71, 4.0, 3.6, 1e-4, 36},
+    {MapFilter::spline, 1.7, 1, 1.0, 2.8, 0.71, 4.5, 4.5, 3e-5, 8},
 };
 
 constexpr double START_TEXELS_PER_SIGMA = 2.83; // of half of the first level, of box averages
@@ -43,13 +44,17 @@ double sharpest_for(double size, double texels_per_sigma) {
     return std::pow(size / (2 * texels_per_sigma), 2);
 }
 
-/// Texels that a map of a lobe needs, a multiple of SIZE_STEP.
+/// A size of at least `needed` and `least` texels in whole steps, but no more than `largest`.
+std::uint32_t in_steps(double needed, std::uint32_t least, std::uint32_t largest) {
+    const double steps = std::ceil(std::min(needed, double(largest)) / SIZE_STEP - 1e-3);
+    return std::min(std::max(std::uint32_t(steps) * SIZE_STEP, least), largest);
+}
+
+/// Texels that a map of a lobe needs.
 std::uint32_t size_for(double exponent, const Tier& tier, std::uint32_t largest) {
     const std::uint32_t least =
         exponent > tier.coarse_exponent ? 2 * LEAST_MAP_SIZE : LEAST_MAP_SIZE;
-    const double needed = 2 * tier.texels_per_sigma * std::sqrt(exponent);
-    const double steps = std::ceil(std::min(needed, double(largest)) / SIZE_STEP - 1e-3);
-    return std::min(std::max(std::uint32_t(steps) * SIZE_STEP, least), largest);
+    return in_steps(2 * tier.texels_per_sigma * std::sqrt(exponent), least, largest);
 }
 
 double texel_variance(std::uint32_t size, double texels_squared) {
@@ -93,8 +98,11 @@ public:
 
     void run(const PrefilterRequest& request) {
         plan_.source_size = request.source_size;
+        plan_.map_format = request.map_format;
         for (const float exponent : request.exponents) add_map(exponent);
         if (request.lambert) plan_.maps.push_back({1.0f, LEAST_MAP_SIZE, MapFilter::bilinear});
+        plan_.map_count = plan_.maps.size();
+        add_ladder(request.ladder);
         start();
         for (std::uint32_t i = 0; i < plan_.maps.size(); ++i)
             if (double(plan_.maps[i].exponent) >= CHAIN_EXPONENT) plan_map(i);
@@ -106,6 +114,18 @@ private:
     void add_map(float exponent) {
         plan_.maps.push_back(
             {exponent, size_for(double(exponent), tier_, plan_.source_size), tier_.filter});
+    }
+
+    void add_ladder(const Ladder& ladder) {
+        plan_.ladder = ladder;
+        if (!ladder.rungs) return;
+        const double highest = double(exponent_at(ladder, ladder.rungs - 1));
+        const double texels = tier_.ladder_texels_per_sigma;
+        const double needed =
+            std::max(2 * texels * std::sqrt(double(ladder.lowest)), texels * std::sqrt(highest));
+        const std::uint32_t size = in_steps(needed, LEAST_MAP_SIZE, plan_.source_size);
+        for (std::uint32_t rung = 0; rung < ladder.rungs; ++rung)
+            plan_.maps.push_back({exponent_at(ladder, rung), size, MapFilter::bilinear});
     }
 
     double sharpest() const {
@@ -191,12 +211,14 @@ private:
         PlannedPass pass{PlannedPass::Kind::blur_map};
         pass.source = source_for(double(map.exponent));
         pass.maps = {index};
-        set_kernel(pass, double(map.exponent), read_variance(map));
+        set_kernel(pass, double(map.exponent), read_variance(index));
         plan_.passes.push_back(pass);
     }
 
-    static double read_variance(const PrefilteredMap& map) {
-        return texel_variance(map.size, map.filter == MapFilter::spline ? 1.0 / 3 : 1.0 / 6);
+    double read_variance(std::uint32_t index) const {
+        const PrefilteredMap& map = plan_.maps[index];
+        return texel_variance(plan_.across(index),
+                              map.filter == MapFilter::spline ? 1.0 / 3 : 1.0 / 6);
     }
 
     /// From the source's lobe to `exponent`, less what the source has been blurred beyond its lobe
@@ -271,10 +293,10 @@ private:
         for (const std::uint32_t index : maps) {
             const PrefilteredMap& map = plan_.maps[index];
             const double blurred =
-                mean_on_sphere(from.face_variance) + MEAN_READING * read_variance(map);
+                mean_on_sphere(from.face_variance) + MEAN_READING * read_variance(index);
             PlannedPass expand{PlannedPass::Kind::expand};
             expand.maps = {index};
-            expand.narrowing = read_variance(map);
+            expand.narrowing = read_variance(index);
             const std::uint32_t degrees = degrees_for(double(map.exponent), tier_.series_end);
             const std::vector<double> to = lobe_eigenvalues(double(map.exponent), degrees);
             const std::vector<double> done = lobe_eigenvalues(from.exponent, degrees);
@@ -289,7 +311,7 @@ private:
         from.margin = from.size; // sees all of the neighbours
         PlannedPass pass{PlannedPass::Kind::broad};
         pass.source = source;
-        pass.narrowing = read_variance(plan_.maps[maps[0]]);
+        pass.narrowing = read_variance(maps[0]);
         const double blurred =
             lobe_eigenvalues(from.exponent, 2)[1] * (1 - mean_on_sphere(from.face_variance));
         for (const std::uint32_t index : maps) {

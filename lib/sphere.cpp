@@ -86,6 +86,7 @@ Result<Sphere> Sphere::create(const Device& device, const SphereTarget& target,
             shading.diffuse,    shading.specular,
             shading.background, shading.specular_filter == MapFilter::spline,
             method->variant,    shading.samples,
+            shading.suns,
         };
         const vk::FullScreenPassDescription description{.vertex_spirv = VERTEX_SPIRV,
                                                         .fragment_spirv = method->spirv,

@@ -19,6 +19,9 @@ constexpr std::uint32_t PLAIN_SPIRV[] = {
 constexpr std::uint32_t PREFILTERED_SPIRV[] = {
 #include "sphere_prefiltered.frag.inc"
 };
+constexpr std::uint32_t TAPS_SPIRV[] = {
+#include "sphere_taps.frag.inc"
+};
 constexpr std::uint32_t REFERENCE_SPIRV[] = {
 #include "sphere_reference.frag.inc"
 };
@@ -54,8 +57,9 @@ constexpr SphereBinding HARMONICS[] = {BACKGROUND, SPECULAR_MAP,
 constexpr SphereBinding IMPORTANCE[] = {BACKGROUND, map(&Sources::mips, true, true)};
 constexpr SphereBinding KURT2019[] = {BACKGROUND, map(&Sources::blurred, true, true)};
 constexpr SphereBinding PLAIN[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP};
-constexpr SphereBinding PREFILTERED[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP,
-                                         uniform(&Sources::prefilter_state, true, true)};
+constexpr SphereBinding PREFILTERED[] = {BACKGROUND, DIFFUSE_MAP, SPECULAR_MAP, STATE};
+constexpr SphereBinding TAPS[] = {BACKGROUND, DIFFUSE_MAP, map(&Sources::ladder, true, true),
+                                  map(&Sources::clipped_tables, true, true), STATE};
 constexpr SphereBinding REFERENCE[] = {BACKGROUND,
                                        storage(&Sources::reference_diffuse, true, false),
                                        storage(&Sources::reference_specular, false, true)};
@@ -66,6 +70,9 @@ constexpr SphereMethodEntry METHODS[] = {
     {SphereMethod::sh4, HARMONICS_SPIRV, HARMONICS, 4},
     {SphereMethod::plain_split_sum, PLAIN_SPIRV, PLAIN},
     {SphereMethod::split_sum, PREFILTERED_SPIRV, PREFILTERED},
+    {SphereMethod::one_tap, TAPS_SPIRV, TAPS, 1},
+    {SphereMethod::two_tap, TAPS_SPIRV, TAPS, 2},
+    {SphereMethod::hybrid, TAPS_SPIRV, TAPS, 5},
     {SphereMethod::importance, IMPORTANCE_SPIRV, IMPORTANCE},
     {SphereMethod::reference, REFERENCE_SPIRV, REFERENCE},
 };

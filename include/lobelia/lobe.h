@@ -7,6 +7,7 @@
 namespace lobelia {
 
 using std::exp2;
+using std::floor;
 using std::log2;
 using std::max;
 using std::min;
@@ -15,6 +16,7 @@ using uint = std::uint32_t;
 
 #define SHARED inline
 #include "lobelia/albedo.glsl" // phong_albedo()
+#include "lobelia/ladder.glsl" // ladder_exponent(), ladder_place()
 #include "lobelia/lobe.glsl"   // Lobe, LOBE_*, lobe_density(), lobe_sample_chord(), phong_brdf()
 #undef SHARED
 

@@ -21,18 +21,31 @@ enum class Quality : std::uint32_t {
 /// How a map is meant to be read: the blur of that filter is left out of the map.
 enum class MapFilter : std::uint32_t { bilinear, spline };
 
-/// One map to make: a cube image of one level, format R16G16B16A16_SFLOAT, STORAGE and SAMPLED
-/// usage.
+/// One map to make: a cube image of one level in the request's format, STORAGE and SAMPLED usage.
 struct PrefilteredMap {
     float exponent = 1.0f;
     std::uint32_t size = 0; // edge of a face, texels
     MapFilter filter = MapFilter::bilinear;
 };
 
+/// Maps for exponents that vary from pixel to pixel, or with the angle to the horizon: a ladder of
+/// `rungs` exponents from `lowest` on, each sqrt(2) times the one before (lobelia/ladder.glsl,
+/// which also reads them). Stored as one 2D array of 6 layers a rung, faces in Vulkan's order,
+/// whose texels reach the faces' edges, read bilinearly.
+struct Ladder {
+    float lowest = 1.0f;     // >= 1
+    std::uint32_t rungs = 0; // 0: no ladder; else at least 2
+};
+float exponent_at(const Ladder& ladder, std::uint32_t rung) noexcept;
+
 struct PrefilterRequest {
     std::span<const float> exponents; // each in [0, 1e6]: a map of P_n at exactly that exponent
     bool lambert = false;             // one map more: P_1 for the diffuse lobe, read bilinearly
+    Ladder ladder;
     Quality quality = Quality::normal;
+    /// Of maps and ladder. Halves lose no sun: suns lie beside the maps and a power of two scales
+    /// them.
+    VkFormat map_format = VK_FORMAT_R16G16B16A16_SFLOAT; // or R32G32B32A32_SFLOAT
     std::uint32_t source_size = 0; // edge of the source's faces, a power of two from 16 to 1024
 };
 
@@ -55,6 +68,11 @@ public:
 
     /// What to create: one entry per exponent in the order of the request, then Lambert.
     std::span<const PrefilteredMap> maps() const noexcept;
+
+    /// What the ladder's image is: ladder_size() texels a side, 6 layers a rung, one level, STORAGE
+    /// and SAMPLED usage.
+    Ladder ladder() const noexcept;
+    std::uint32_t ladder_size() const noexcept;
 
     /// Bytes of the scratch buffer: STORAGE_BUFFER, UNIFORM_TEXEL_BUFFER usage. Free again when the
     /// recorded commands have run.
@@ -88,7 +106,8 @@ public:
     /// or waits.
     ///
     /// On entry to pass 0 the source is in SHADER_READ_ONLY_OPTIMAL, visible to compute shaders;
-    /// the maps' content is discarded. After the last pass the maps are in SHADER_READ_ONLY_OPTIMAL
+    /// the maps' and the ladder's content is discarded. After the last pass they are in
+    /// SHADER_READ_ONLY_OPTIMAL
     /// and with the state buffer visible to fragment and compute shaders.
     void record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count) const noexcept;
 
@@ -105,11 +124,12 @@ public:
     Prefilter& operator=(Prefilter&&) noexcept;
     ~Prefilter();
 
-    /// Makes views and descriptors. `maps` are what plan.maps() says, in its order. All handles
-    /// must outlive the job's last use on the device.
+    /// Makes views and descriptors. `maps` are what plan.maps() says, in its order, and `ladder`
+    /// the image that holds plan.ladder(), null where it has no rungs. All handles must outlive the
+    /// job's last use on the device.
     Result<PrefilterJob> bind(const PrefilterPlan& plan, const CubeMap& source,
-                              std::span<const CubeMap> maps, VkBuffer scratch,
-                              VkBuffer state) const;
+                              std::span<const CubeMap> maps, VkBuffer scratch, VkBuffer state,
+                              VkImage ladder = VK_NULL_HANDLE) const;
 
     struct State;
 

@@ -15,6 +15,9 @@ enum class SphereMethod : std::uint32_t {
     sh4,      // the same with degree 4
     plain_split_sum, // kd P_1(N) + ks W(N.R, n) P_n(R), from maps that hold these averages
     split_sum,       // the same from Prefilter's maps, their scale and suns
+    one_tap,         // lobelia/taps.glsl: the lobe as the horizon cuts it, by one lobe of a ladder,
+    two_tap,         // two
+    hybrid,          // or five, and the suns exactly
     importance,      // filtered importance sampling at run time (lobelia/importance_shading.glsl)
     reference,       // the same sum with the integrals of Exact, one value per pixel
 };
@@ -27,6 +30,7 @@ struct SphereShading {
     bool background = true; // else nothing is drawn behind the sphere
     /// How `specular`, one of Prefilter's maps, is read; other maps are read bilinearly.
     MapFilter specular_filter = MapFilter::bilinear;
+    bool suns = true; // one_tap and better: else the maps have none (the prefilter's state says)
     std::uint32_t samples = 64; // fetches of each lobe by SphereMethod::importance
     static constexpr std::uint32_t MOST_SAMPLES = 1024;
 };
@@ -51,6 +55,10 @@ struct SphereSources {
 
     /// importance: the environment with all its levels, as Mips makes them.
     VkImageView mips = VK_NULL_HANDLE;
+    /// one_tap, two_tap and hybrid: `diffuse` and `prefilter_state` as above, 2D array views of
+    /// Prefilter's ladder and of ClippedTables' image, both also without a specular lobe.
+    VkImageView ladder = VK_NULL_HANDLE;
+    VkImageView clipped_tables = VK_NULL_HANDLE;
 
     /// reference: results of Exact, entry y * width + x for pixel (x, y): averages of the lobe of
     /// exponent 1 about the normal N, and of the exponent n about the mirror direction R, clipped

@@ -37,6 +37,17 @@ Outcome<std::vector<GpuImage>> make_images(Gpu& gpu, std::span<const Prefiltered
     return images;
 }
 
+Outcome<std::optional<GpuImage>> make_ladder_image(Gpu& gpu, const PrefilterPlan& plan) {
+    if (!plan.ladder().rungs) return std::optional<GpuImage>{};
+    auto image = gpu.create_image({.format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                                   .width = plan.ladder_size(),
+                                   .height = plan.ladder_size(),
+                                   .layers = 6 * plan.ladder().rungs,
+                                   .usage = MAP_USAGE});
+    if (!image) return image.error();
+    return std::optional<GpuImage>(std::move(*image));
+}
+
 Outcome<Done> run(Gpu& gpu, const PrefilterPlan& plan, const PrefilterJob& job,
                   const Progress& progress, WorkReport& report) {
     for (std::uint32_t i = 0; i < plan.pass_count(); ++i) {
@@ -71,21 +82,20 @@ Outcome<std::optional<GpuImage>> resized_cube(Gpu& gpu, const GpuEnvironment& en
 }
 
 Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
-                                   std::span<const float> exponents, bool lambert, Quality quality,
-                                   const Progress& progress) {
+                                   PrefilterRequest request, const Progress& progress) {
     const auto resized = resized_cube(gpu, environment);
     if (!resized) return resized.error();
     const GpuImage& source = *resized ? **resized : environment.cube;
-    const auto plan = PrefilterPlan::make({.exponents = exponents,
-                                           .lambert = lambert,
-                                           .quality = quality,
-                                           .source_size = source.description().width});
+    request.source_size = source.description().width;
+    const auto plan = PrefilterPlan::make(request);
     if (!plan) return core_failure(plan.error());
     const auto prefilter = Prefilter::create(gpu.device());
     if (!prefilter) return core_failure(prefilter.error());
 
     auto images = make_images(gpu, plan->maps());
     if (!images) return images.error();
+    auto ladder = make_ladder_image(gpu, *plan);
+    if (!ladder) return ladder.error();
     const auto scratch = gpu.create_buffer(plan->scratch_size(),
                                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                                VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
@@ -99,14 +109,21 @@ Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
     std::vector<CubeMap> lent;
     for (const GpuImage& image : *images) lent.push_back(lend_cube(image));
     const auto job =
-        prefilter->bind(*plan, lend_cube(source), lent, scratch->handle(), state->handle());
+        prefilter->bind(*plan, lend_cube(source), lent, scratch->handle(), state->handle(),
+                        *ladder ? (*ladder)->handle() : VK_NULL_HANDLE);
     if (!job) return core_failure(job.error());
-    PrefilteredMaps maps{
-        {plan->maps().begin(), plan->maps().end()}, std::move(*images), std::move(*state), {}};
+    PrefilteredMaps maps{{plan->maps().begin(), plan->maps().end()},
+                         std::move(*images),
+                         std::move(*ladder),
+                         std::move(*state),
+                         {}};
     if (const auto done = run(gpu, *plan, *job, progress, maps.report); !done) return done.error();
     for (std::size_t i = 0; i < maps.images.size(); ++i)
         maps.report.images.push_back(image_report(
             "map n=" + number_text(maps.descriptions[i].exponent), maps.images[i], "kept"));
+    if (maps.ladder)
+        maps.report.images.push_back(image_report(
+            "ladder from n=" + number_text(plan->ladder().lowest), *maps.ladder, "kept"));
     std::uint32_t suns = 0;
     std::memcpy(&suns, maps.state.data() + SUN_COUNT_OFFSET, sizeof suns);
     maps.report.suns = suns;

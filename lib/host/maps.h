@@ -13,13 +13,14 @@ Outcome<std::optional<GpuImage>> resized_cube(Gpu& gpu, const GpuEnvironment& en
 struct PrefilteredMaps {
     std::vector<PrefilteredMap> descriptions;
     std::vector<GpuImage> images;
+    std::optional<GpuImage> ladder;
     GpuBuffer state;
     WorkReport report;
 };
 
-/// Runs the prefilter on the environment's cube map, pass by pass.
+/// Runs the prefilter on the environment's cube map, pass by pass. The request's source size is
+/// that of the environment.
 Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
-                                   std::span<const float> exponents, bool lambert, Quality quality,
-                                   const Progress& progress);
+                                   PrefilterRequest request, const Progress& progress);
 
 } // namespace lobelia::host

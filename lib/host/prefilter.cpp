@@ -126,8 +126,9 @@ Outcome<Image> read_map(Gpu& gpu, const MapReader& reader, const PrefilteredMaps
 
 Outcome<Prefiltering> by_chain(Gpu& gpu, const GpuEnvironment& environment,
                                const PrefilterSettings& settings, const Progress& progress) {
-    const auto maps = make_maps(gpu, environment, settings.exponents, false, settings.quality,
-                                share(progress, 0.0, 0.5));
+    const auto maps =
+        make_maps(gpu, environment, {.exponents = settings.exponents, .quality = settings.quality},
+                  share(progress, 0.0, 0.5));
     if (!maps) return maps.error();
     const auto reader = MapReader::create(gpu.device());
     if (!reader) return core_failure(reader.error());

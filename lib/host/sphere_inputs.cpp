@@ -1,5 +1,7 @@
 #include "host/sphere_inputs.h"
 
+#include <lobelia/clipped_tables.h>
+
 #include "host/averages.h"
 #include "host/checks.h"
 #include "host/irradiance.h"
@@ -50,8 +52,10 @@ Outcome<Done> add_maps(const Making& making, bool lambert) {
     SphereInputs& inputs = making.inputs;
     const std::span<const float> exponents(&making.material().exponent,
                                            inputs.shading.specular ? 1 : 0);
-    auto made = make_maps(making.gpu, making.environment, exponents, lambert,
-                          making.settings.quality, making.progress);
+    auto made =
+        make_maps(making.gpu, making.environment,
+                  {.exponents = exponents, .lambert = lambert, .quality = making.settings.quality},
+                  making.progress);
     if (!made) return made.error();
     making.add(made->report);
     inputs.sources.prefilter_state = making.keep(std::move(made->state));
@@ -65,6 +69,62 @@ Outcome<Done> add_maps(const Making& making, bool lambert) {
 
 Outcome<Done> make_split_sum(const Making& making) {
     return add_maps(making, making.inputs.shading.diffuse);
+}
+
+Outcome<GpuImage> make_tables(Gpu& gpu) {
+    const auto tables = ClippedTables::create(gpu.device());
+    if (!tables) return core_failure(tables.error());
+    auto image =
+        gpu.create_image({.format = ClippedTables::FORMAT,
+                          .width = ClippedTables::WIDTH,
+                          .height = ClippedTables::HEIGHT,
+                          .layers = ClippedTables::LAYERS,
+                          .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    if (!image) return image.error();
+    const auto buffer = gpu.create_buffer(
+        ClippedTables::BUFFER_BYTES,
+        VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT, Memory::device);
+    if (!buffer) return buffer.error();
+    const auto done = gpu.submit([&](VkCommandBuffer commands) {
+        tables->record(commands, buffer->handle(), image->handle());
+    });
+    if (!done) return done.error();
+    return image;
+}
+
+Outcome<Done> make_taps(const Making& making, Taps taps) {
+    SphereInputs& inputs = making.inputs;
+    if (!inputs.shading.specular) { // nothing that the horizon cuts
+        inputs.shading.method = SphereMethod::split_sum;
+        return make_split_sum(making);
+    }
+    const float exponent = making.material().exponent;
+    auto made = make_maps(making.gpu, making.environment,
+                          {.lambert = inputs.shading.diffuse,
+                           .ladder = ladder_for(taps, exponent, exponent),
+                           .quality = making.settings.quality},
+                          making.progress);
+    if (!made) return made.error();
+    auto tables = make_tables(making.gpu);
+    if (!tables) return tables.error();
+    making.add(made->report);
+    inputs.shading.suns = made->report.suns > 0u;
+    inputs.sources.prefilter_state = making.keep(std::move(made->state));
+    inputs.sources.ladder = making.keep(std::move(*made->ladder));
+    inputs.sources.clipped_tables = making.keep(std::move(*tables));
+    if (inputs.shading.diffuse)
+        inputs.sources.diffuse = making.keep(std::move(made->images.back()));
+    return Done{};
+}
+
+Outcome<Done> make_one_tap(const Making& making) {
+    return make_taps(making, Taps::one);
+}
+Outcome<Done> make_two_tap(const Making& making) {
+    return make_taps(making, Taps::two);
+}
+Outcome<Done> make_hybrid(const Making& making) {
+    return make_taps(making, Taps::five);
 }
 
 Outcome<Done> make_reference(const Making& making) {
@@ -130,6 +190,10 @@ constexpr Recipe RECIPES[] = {
      make_harmonics},
     {{SphereMethod::sh4, "sh4", "the same of degree 4"}, make_harmonics},
     {{SphereMethod::split_sum, "split-sum", "prefiltered maps"}, make_split_sum},
+    {{SphereMethod::one_tap, "one-tap", "one lobe for what the horizon leaves of the lobe"},
+     make_one_tap},
+    {{SphereMethod::two_tap, "two-tap", "two lobes"}, make_two_tap},
+    {{SphereMethod::hybrid, "hybrid", "five lobes near the horizon"}, make_hybrid},
     {{SphereMethod::importance, "importance", "filtered importance sampling, N samples a lobe"},
      make_importance},
     {{SphereMethod::reference, "reference",

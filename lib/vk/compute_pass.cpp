@@ -61,6 +61,17 @@ Result<ImageView> make_level_view(const Context& context, VkImage image, VkForma
     return make<ImageView>(context, context.call.vkCreateImageView, info, "create image view");
 }
 
+Result<ImageView> make_layers_view(const Context& context, VkImage image, VkFormat format,
+                                   std::uint32_t first_layer, std::uint32_t layers) {
+    const VkImageViewCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+        .image = image,
+        .viewType = VK_IMAGE_VIEW_TYPE_2D_ARRAY,
+        .format = format,
+        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, first_layer, layers}};
+    return make<ImageView>(context, context.call.vkCreateImageView, info, "create image view");
+}
+
 Result<ImageView> make_cube_view(const Context& context, VkImage image, VkFormat format,
                                  std::uint32_t levels) {
     const VkImageViewCreateInfo info{

@@ -59,6 +59,10 @@ void image_barrier(const Context& context, VkCommandBuffer commands, VkImage ima
 Result<ImageView> make_level_view(const Context& context, VkImage image, VkFormat format,
                                   VkImageViewType type, std::uint32_t level = 0);
 
+/// A view of `layers` layers of level 0 as a 2D array.
+Result<ImageView> make_layers_view(const Context& context, VkImage image, VkFormat format,
+                                   std::uint32_t first_layer, std::uint32_t layers);
+
 /// A view of the first `levels` levels of a cube map, to be sampled by direction.
 Result<ImageView> make_cube_view(const Context& context, VkImage image, VkFormat format,
                                  std::uint32_t levels);

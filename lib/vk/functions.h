@@ -8,6 +8,7 @@
     X(vkAllocateDescriptorSets)                                                                    \
     X(vkCmdBindDescriptorSets)                                                                     \
     X(vkCmdBindPipeline)                                                                           \
+    X(vkCmdCopyBufferToImage)                                                                      \
     X(vkCmdDispatch)                                                                               \
     X(vkCmdDraw)                                                                                   \
     X(vkCmdPipelineBarrier)                                                                        \

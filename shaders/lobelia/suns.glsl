@@ -17,7 +17,7 @@ struct PrefilterState {
     float threshold; // luminance above which a texel near a sun is cut
     float scale;     // a power of two
     uint sun_count;
-    float unused;
+    float ladder_lowest; // exponent of the ladder's first rung; 0 where there is no ladder
     Sun suns[MOST_SUNS];
     vec4 seeds[MOST_SUNS]; // direction around which a sun's texels lie
 };
@@ -33,6 +33,13 @@ SHARED vec3 sun_average(Sun sun, vec3 axis, float exponent) {
     float chord = half_square_distance(vec3(sun.direction.x, sun.direction.y, sun.direction.z), axis);
     float density = (n + 1.0f) / (2.0f * PI) * chord_power(chord, n);
     return density * vec3(sun.energy.x, sun.energy.y, sun.energy.z);
+}
+
+// The specular lobe towards a sun, per steradian, before the cosine to the normal.
+SHARED float clipped_sun_lobe(Sun sun, vec3 mirror, float exponent) {
+    float n = widened_exponent(exponent, sun.direction.w);
+    float chord = half_square_distance(vec3(sun.direction.x, sun.direction.y, sun.direction.z), mirror);
+    return (n + 2.0f) / (2.0f * PI) * chord_power(chord, n);
 }
 
 #endif

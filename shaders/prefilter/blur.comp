@@ -12,17 +12,19 @@ layout(constant_id = 0) const bool TO_IMAGE = false; // a map for shading, or a 
 
 #define LEVEL_BINDING 1
 #include "prefilter/store.glsl"
+#include "prefilter/map.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 0) uniform usamplerBuffer source; // two texels an element
-layout(set = 0, binding = 2, rgba16f) uniform writeonly image2DArray map;
+layout(set = 0, binding = 2, MAP_FORMAT) uniform writeonly image2DArray map;
 
 layout(push_constant) uniform Params {
     uint source_size;
     uint source_margin; // even
     uint size;          // of the target, even
     uint margin;        // of the target
+    uint across;        // of the target, see map_place()
     float sharpness;    // m of exp(-m (t + quadratic t^2 + t^3 / 3)), t the chord
     float quadratic;
     float last_chord; // where the kernel ends
@@ -131,15 +133,15 @@ void add_row(int y, vec2 reach) {
 void main() {
     uvec2 corner = 2u * gl_GlobalInvocationID.xy;
     if (corner.x >= size || corner.y >= size) return;
-    float width = 2.0 / float(size);
     [[unroll]] for (int i = 0; i < PLACES; ++i) {
-        place(i, (vec2(corner + uvec2(i & 1, i >> 1)) + 0.5) * width - 1.0);
+        place(i, map_place(corner + uvec2(i & 1, i >> 1), size, across));
     }
     [[unroll]] for (int i = 0; i < PLACES * FACES; ++i) sums[i] = vec3(0.0);
 
     // One cap holds the caps of the four places.
-    vec3 centre = normalize(vec3((vec2(corner) + 1.0) * width - 1.0, 1.0));
-    float reach = sqrt(2.0 * last_chord) + 0.71 * width; // chord lengths, no shorter than needed
+    vec2 middle_place = 0.5 * (map_place(corner, size, across) + map_place(corner + 1u, size, across));
+    vec3 centre = normalize(vec3(middle_place, 1.0));
+    float reach = sqrt(2.0 * last_chord) + 1.42 / float(across); // chord lengths, no shorter than needed
     float cosine = 1.0 - 0.5 * reach * reach;
 
     float source_width = 2.0 / float(source_size);
@@ -159,7 +161,7 @@ void main() {
             uvec3 texel = uvec3(corner + uvec2(i & 1, i >> 1), face);
             vec3 average = sums[i * FACES + face] * share;
             if (TO_IMAGE) {
-                imageStore(map, ivec3(texel), vec4(nearest_half(average), 1.0));
+                imageStore(map, ivec3(texel), map_texel(average));
             } else {
                 store_texel(texel, size, margin, average);
             }

@@ -6,16 +6,17 @@
 
 #include "lobelia/lobe.glsl"
 #include "prefilter/chart.glsl"
+#include "prefilter/map.glsl"
 
 layout(local_size_x = 4, local_size_y = 4) in;
 
 layout(constant_id = 0) const int MAPS = 4;
 
 layout(set = 0, binding = 0) uniform usamplerBuffer source; // margin = size: the neighbours whole
-layout(set = 0, binding = 1, rgba16f) uniform writeonly image2DArray map_0;
-layout(set = 0, binding = 2, rgba16f) uniform writeonly image2DArray map_1;
-layout(set = 0, binding = 3, rgba16f) uniform writeonly image2DArray map_2;
-layout(set = 0, binding = 4, rgba16f) uniform writeonly image2DArray map_3;
+layout(set = 0, binding = 1, MAP_FORMAT) uniform writeonly image2DArray map_0;
+layout(set = 0, binding = 2, MAP_FORMAT) uniform writeonly image2DArray map_1;
+layout(set = 0, binding = 3, MAP_FORMAT) uniform writeonly image2DArray map_2;
+layout(set = 0, binding = 4, MAP_FORMAT) uniform writeonly image2DArray map_3;
 
 const int MOST_MAPS = 4;
 const int FACES = 6;
@@ -73,8 +74,8 @@ void add_pair(vec3 centre, vec3 radial, ChartPoint taps[2], ivec3 elements, bvec
     }
 }
 
-vec4 map_texel(int map, int face) {
-    return vec4(nearest_half(sums[map * FACES + face] / weight_sums[map]), 1.0);
+vec4 average_texel(int map, int face) {
+    return map_texel(sums[map * FACES + face] / weight_sums[map]);
 }
 
 void main() {
@@ -124,9 +125,9 @@ void main() {
 
     [[unroll]] for (int face = 0; face < FACES; ++face) {
         ivec3 texel = ivec3(at, face);
-        imageStore(map_0, texel, map_texel(0, face));
-        if (MAPS > 1) imageStore(map_1, texel, map_texel(1, face));
-        if (MAPS > 2) imageStore(map_2, texel, map_texel(2, face));
-        if (MAPS > 3) imageStore(map_3, texel, map_texel(3, face));
+        imageStore(map_0, texel, average_texel(0, face));
+        if (MAPS > 1) imageStore(map_1, texel, average_texel(1, face));
+        if (MAPS > 2) imageStore(map_2, texel, average_texel(2, face));
+        if (MAPS > 3) imageStore(map_3, texel, average_texel(3, face));
     }
 }

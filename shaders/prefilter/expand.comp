@@ -4,14 +4,15 @@
 
 #include "prefilter/chart.glsl"
 #include "prefilter/harmonics.glsl"
+#include "prefilter/map.glsl"
 
 layout(local_size_x = 64) in;
 
 layout(set = 0, binding = 0, std430) readonly buffer Terms { Term terms[]; };
-layout(set = 0, binding = 1, rgba16f) uniform writeonly image2DArray map;
+layout(set = 0, binding = 1, MAP_FORMAT) uniform writeonly image2DArray map;
 
 layout(push_constant) uniform Params {
-    uint size;
+    uint size_across;          // of the map; across in the upper half, see map_place()
     int degree;                // of the series
     float reading;             // variance that reading the map adds in the face's plane
     float eigenvalues[ORDERS]; // of the lobe, over those of the blurs before and after
@@ -75,8 +76,9 @@ Order sum_order(int m, float z, float excess) {
 void main() {
     load_terms();
     uint index = gl_GlobalInvocationID.x;
+    uint size = size_across & 0xffffu;
     if (index >= 3u * size * size / 4u) return;
-    vec3 towards = octant_direction(index, size);
+    vec3 towards = octant_direction(index, size, size_across >> 16);
     vec3 direction = normalize(towards);
     float excess = reading_beyond_mean(dot(towards, towards));
 
@@ -101,7 +103,7 @@ void main() {
             sum += real_sign(octant, kind / 2, kind & 1) * real[kind] +
                    imaginary_sign(octant, kind / 2, kind & 1) * imaginary[kind];
         }
-        ivec3 texel = ivec3(mirrored_texel(towards, octant, size));
-        imageStore(map, texel, vec4(nearest_half(max(sum, 0.0)), 1.0));
+        uvec3 texel = mirrored_texel(index, octant, size);
+        imageStore(map, ivec3(texel), map_texel(max(sum, 0.0)));
     }
 }

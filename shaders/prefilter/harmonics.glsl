@@ -51,22 +51,33 @@ float imaginary_sign(uint octant, int odd_order, int odd_sum) {
     return negative ? -real_sign(octant, odd_order, odd_sum) : real_sign(octant, odd_order, odd_sum);
 }
 
-// Number `index` of the 3 size^2 / 4 directions, of length over 1, with all their texel in one octant.
-vec3 octant_direction(uint index, uint size) {
+// Number `index` of the 3 size^2 / 4 texels with all their directions in one octant: the axis whose face
+// it is on, and its place among those with coordinates above 0 along the next axis and the one after.
+uvec3 octant_texel(uint index, uint size) {
     uint half_size = size / 2u;
-    float a = float(2u * (index % half_size) + 1u) / float(size);
-    float b = float(2u * (index / half_size % half_size) + 1u) / float(size);
-    uint axis = index / (half_size * half_size);
-    return axis == 0u ? vec3(1.0, a, b) : axis == 1u ? vec3(b, 1.0, a) : vec3(a, b, 1.0);
+    return uvec3(index / (half_size * half_size), index % half_size, index / half_size % half_size);
 }
 
-// The texel that the mirrored direction goes through: x, y and the face.
-uvec3 mirrored_texel(vec3 direction, uint octant, uint size) {
+// Its direction, of length over 1; for `across` see map_place().
+vec3 octant_direction(uint index, uint size, uint across) {
+    uvec3 texel = octant_texel(index, size);
+    float a = float(2u * texel.y + 1u) / float(across);
+    float b = float(2u * texel.z + 1u) / float(across);
+    return texel.x == 0u ? vec3(1.0, a, b) : texel.x == 1u ? vec3(b, 1.0, a) : vec3(a, b, 1.0);
+}
+
+// The texel in the mirrored direction: x, y and the face.
+uvec3 mirrored_texel(uint index, uint octant, uint size) {
+    uint axis = octant_texel(index, size).x;
+    uint face = 2u * axis + ((octant >> axis) & 1u);
+    vec3 direction = octant_direction(index, size, size);
     vec3 mirrored = vec3((octant & 1u) != 0u ? -direction.x : direction.x,
                          (octant & 2u) != 0u ? -direction.y : direction.y,
                          (octant & 4u) != 0u ? -direction.z : direction.z);
-    CubePoint point = cube_point(mirrored);
-    return uvec3((vec2(point.u, point.v) + 1.0) * 0.5 * float(size), point.face);
+    vec3 ahead = cube_direction(face, 0.0, 0.0);
+    vec2 at = vec2(dot(mirrored, cube_direction(face, 1.0, 0.0) - ahead),
+                   dot(mirrored, cube_direction(face, 0.0, 1.0) - ahead));
+    return uvec3((at + 1.0) * 0.5 * float(size), face);
 }
 
 #endif

@@ -56,7 +56,7 @@ float without_excess(vec3 towards, float square) {
 vec3 even_light() {
     vec3 least = vec3(65504.0);
     for (uint octant = 0u; octant < 8u; ++octant) {
-        least = min(least, texel_at(mirrored_texel(octant_direction(0u, size), octant, size)));
+        least = min(least, texel_at(mirrored_texel(0u, octant, size)));
     }
     return least;
 }
@@ -78,12 +78,13 @@ void main() {
     vec3 even = even_light();
 
     for (uint i = 0u; i < CHUNK; ++i) {
-        vec3 towards = octant_direction(gl_WorkGroupID.x * CHUNK + i, size);
+        uint index = gl_WorkGroupID.x * CHUNK + i;
+        vec3 towards = octant_direction(index, size, size);
         // The light of the eight texels, added with the signs of the harmonics of even and odd degree.
         vec3 real_light[2] = vec3[](vec3(0.0), vec3(0.0));
         vec3 imaginary_light[2] = vec3[](vec3(0.0), vec3(0.0));
         for (uint octant = 0u; octant < 8u; ++octant) {
-            vec3 light = texel_at(mirrored_texel(towards, octant, size)) - even;
+            vec3 light = texel_at(mirrored_texel(index, octant, size)) - even;
             [[unroll]] for (int odd = 0; odd < 2; ++odd) {
                 real_light[odd] += real_sign(octant, m & 1, (m + odd) & 1) * light;
                 imaginary_light[odd] += imaginary_sign(octant, m & 1, (m + odd) & 1) * light;

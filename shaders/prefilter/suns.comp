@@ -17,7 +17,10 @@ layout(local_size_x = 64) in;
 layout(set = 0, binding = 0) uniform sampler2DArray source;
 layout(set = 0, binding = 1, std430) readonly buffer Tiles { vec4 tiles[]; }; // mean, solid angle, most
 
-layout(push_constant) uniform Params { uint size; };
+layout(push_constant) uniform Params {
+    uint size;
+    float ladder_lowest;
+};
 
 const float BRIGHT = 64.0; // times the clamped mean
 const uint FINE_SIZE = 64u;      // of a source whose mean is taken texel by texel
@@ -257,6 +260,6 @@ void main() {
         state.threshold = threshold;
         state.scale = mean > 1e-37 ? ldexp(1.0, clamp(-exponent, -126, 126)) : 1.0;
         state.sun_count = suns;
-        state.unused = 0.0;
+        state.ladder_lowest = ladder_lowest;
     }
 }
