@@ -229,8 +229,9 @@ private:
         pass.narrowing = source.face_variance + reading;
         const double left = variance - pass.narrowing;
         const double texel = 2.0 / source.size;
-        if (left < 0.25 * texel * texel) { // sharper than the source: the source as it is
-            pass.kernel = {1 / texel, 0.5, 1e-4 * texel * texel};
+        if (left < 0.25 * texel * texel) {
+            // Sharper than the source: the source's nearest texels, at least one.
+            pass.kernel = {10 / (texel * texel), 0.5, 0.5 * texel * texel};
             pass.narrowing = 0;
             return;
         }

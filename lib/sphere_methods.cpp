@@ -51,6 +51,8 @@ constexpr SphereBinding BACKGROUND = map(&Sources::background, true, true);
 constexpr SphereBinding DIFFUSE_MAP = map(&Sources::diffuse, true, false);
 constexpr SphereBinding SPECULAR_MAP = map(&Sources::specular, false, true);
 
+constexpr SphereBinding STATE = uniform(&Sources::prefilter_state, true, true);
+
 constexpr SphereBinding HARMONICS[] = {BACKGROUND, SPECULAR_MAP,
                                        uniform(&Sources::prefilter_state, false, true),
                                        uniform(&Sources::irradiance, true, false)};

@@ -26,7 +26,9 @@ Outcome<SphereMethod> parse_method(std::string_view text) {
 }
 
 std::string method_help() {
-    std::string help = "default " + std::string(method_name(SphereOptions{}.method));
+    std::string help = "default " + std::string(method_name(host::method_for(Quality::normal))) +
+                       ", of fast " + method_name(host::method_for(Quality::fast)) +
+                       " and of high " + method_name(host::method_for(Quality::high));
     for (const host::RenderMethod& known : host::render_methods())
         help += "; " + std::string(known.name) + ": " + known.what;
     return help;
@@ -105,7 +107,7 @@ host::RenderSettings settings_of(const SphereOptions& options) {
                      .background = !options.no_background,
                      .width = options.width,
                      .height = options.height},
-            .method = options.method,
+            .method = options.method.value_or(host::method_for(options.quality)),
             .quality = options.quality,
             .samples = options.samples.value_or(host::RenderSettings{}.samples)};
 }

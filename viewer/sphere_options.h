@@ -20,7 +20,7 @@ struct SphereOptions {
     bool no_background = false;
     std::uint32_t width = 512;
     std::uint32_t height = 512;
-    SphereMethod method = SphereMethod::split_sum;
+    std::optional<SphereMethod> method;   // else by the quality
     std::optional<std::uint32_t> samples; // of each lobe
     Quality quality = Quality::normal;
     std::uint32_t face = 0; // of the environment's cube map, texels; 0: as the panorama needs

@@ -209,6 +209,15 @@ std::vector<RenderMethod> render_methods() {
     return methods;
 }
 
+SphereMethod method_for(Quality quality) {
+    switch (quality) {
+    case Quality::fast: return SphereMethod::one_tap;
+    case Quality::normal: return SphereMethod::two_tap;
+    case Quality::high: break;
+    }
+    return SphereMethod::hybrid;
+}
+
 Outcome<SphereInputs> make_sphere_inputs(Gpu& gpu, const GpuEnvironment& environment,
                                          const RenderSettings& settings, const Progress& progress) {
     const Material& material = settings.view.material;

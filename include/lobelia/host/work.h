@@ -71,9 +71,12 @@ struct RenderMethod {
 /// All of them, from the least exact on.
 std::vector<RenderMethod> render_methods();
 
+/// What each quality shades with: one-tap, two-tap, hybrid.
+SphereMethod method_for(Quality quality);
+
 struct RenderSettings {
     SphereView view;
-    SphereMethod method = SphereMethod::split_sum;
+    SphereMethod method = SphereMethod::two_tap;
     Quality quality = Quality::normal; // of Prefilter's maps, where the method reads them
     std::uint32_t samples = 64;        // of each lobe, for SphereMethod::importance: 1 to 1024
 };
