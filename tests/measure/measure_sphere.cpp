@@ -1,0 +1,139 @@
+// Error and time of the sphere's methods: measure_sphere [PANORAMA...].
+//
+// Error against SphereMethod::reference over the pixels that the sphere covers and R G B, each
+// panorama seen from another side; the mean over the panoramas of
+//     pointwise: root mean square of |x - exact| / (|exact| + 1e-3 mean)
+//     image: root mean square of x - exact over that of exact.
+// Time: CPU time of the sphere pass at 512 x 512, the median of several draws, over that of a
+// mirror with one trilinear fetch in the same run.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+#include "host/sphere_inputs.h"
+#include "sphere_timing.h"
+#include "support/environments.h"
+#include "support/error_measures.h"
+#include "support/real_panoramas.h"
+
+namespace lobelia::test {
+namespace {
+
+/// What is measured; to add a method is to add a line.
+struct Rung {
+    const char* name;
+    SphereMethod method;
+    std::uint32_t samples = 64;
+};
+constexpr Rung RUNGS[] = {
+    {"kurt2019", SphereMethod::kurt2019},
+    {"sh2", SphereMethod::sh2},
+    {"sh4", SphereMethod::sh4},
+    {"split-sum", SphereMethod::split_sum},
+    {"importance, 8", SphereMethod::importance, 8},
+    {"importance, 32", SphereMethod::importance, 32},
+    {"importance, 64", SphereMethod::importance, 64},
+    {"importance, 256", SphereMethod::importance, 256},
+};
+
+struct Case {
+    const char* name;
+    Material material;
+};
+constexpr Material white(float diffuse, float specular, float exponent) {
+    return {{diffuse, diffuse, diffuse}, {specular, specular, specular}, exponent};
+}
+constexpr Case CASES[] = {
+    {"kd, n = 4.8", white(1, 0, 4.8f)}, {"kd, n = 64", white(1, 0, 64)},
+    {"ks, n = 1", white(0, 1, 1)},      {"ks, n = 4.8", white(0, 1, 4.8f)},
+    {"ks, n = 16", white(0, 1, 16)},    {"ks, n = 64", white(0, 1, 64)},
+    {"ks, n = 256", white(0, 1, 256)},  {"ks, n = 1024", white(0, 1, 1024)},
+};
+
+constexpr std::uint32_t SMALL = 20; // pixels a side, for errors
+
+/// R G B of the pixels that the sphere covers.
+std::vector<double> sphere_colours(const host::Image& picture) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < picture.texels.size(); i += 4)
+        if (picture.texels[i + 3] == 1.0f)
+            values.insert(values.end(), &picture.texels[i], &picture.texels[i + 3]);
+    return values;
+}
+
+struct Errors {
+    double pointwise[std::size(RUNGS)][std::size(CASES)] = {};
+    double image[std::size(RUNGS)][std::size(CASES)] = {};
+};
+
+void add_errors(host::Gpu& gpu, const host::GpuEnvironment& environment, oracle::Direction side,
+                Errors& errors) {
+    for (std::size_t i = 0; i < std::size(CASES); ++i) {
+        host::RenderSettings settings{
+            .view = {.camera = {.eye = {float(4 * side.x), float(4 * side.y), float(4 * side.z)}},
+                     .material = CASES[i].material,
+                     .background = false,
+                     .width = SMALL,
+                     .height = SMALL}};
+        const auto drawn = [&](SphereMethod method, std::uint32_t samples) {
+            settings.method = method;
+            settings.samples = samples;
+            return sphere_colours(value_of(host::render(gpu, environment, settings)).picture);
+        };
+        const std::vector<double> exact = drawn(SphereMethod::reference, 1);
+        for (std::size_t k = 0; k < std::size(RUNGS); ++k) {
+            const auto error =
+                oracle::measure_error(drawn(RUNGS[k].method, RUNGS[k].samples), exact);
+            errors.pointwise[k][i] += error.pointwise_rms;
+            errors.image[k][i] += error.image_rms;
+        }
+    }
+}
+
+void print_errors(const Errors& errors, double panoramas) {
+    std::printf("| pointwise / image |");
+    for (const Case& one : CASES) std::printf(" %s |", one.name);
+    std::printf("\n");
+    for (std::size_t k = 0; k < std::size(RUNGS); ++k) {
+        std::printf("| %s |", RUNGS[k].name);
+        for (std::size_t i = 0; i < std::size(CASES); ++i)
+            std::printf(" %.2g / %.2g |", errors.pointwise[k][i] / panoramas,
+                        errors.image[k][i] / panoramas);
+        std::printf("\n");
+    }
+}
+
+void measure(host::Gpu& gpu, const std::vector<std::string>& panoramas) {
+    const auto sides = oracle::test_directions(int(panoramas.size()) + 6, 11);
+    Errors errors;
+    for (std::size_t i = 0; i < panoramas.size(); ++i)
+        add_errors(gpu, value_of(host::upload_environment(gpu, real_panorama(panoramas[i]))),
+                   sides[i + 6], errors);
+    print_errors(errors, double(panoramas.size()));
+
+    const auto environment =
+        value_of(host::upload_environment(gpu, real_panorama(panoramas.front())));
+    std::printf("\n| time | kd and ks | ks |\n");
+    std::vector<SphereTiming> lobes[2];
+    for (int i = 0; i < 2; ++i) {
+        SphereTimer timer(gpu, environment, white(i == 0 ? 0.3f : 0.0f, 0.6f, 64));
+        for (const Rung& rung : RUNGS) timer.add(rung.name, rung.method, rung.samples);
+        lobes[i] = timer.run();
+    }
+    for (std::size_t k = 0; k < lobes[0].size(); ++k)
+        std::printf("| %s | %.2f | %.2f |\n", lobes[0][k].name.c_str(), lobes[0][k].ratio,
+                    lobes[1][k].ratio);
+    std::printf("mirror: %.1f ms\n", lobes[0].front().milliseconds);
+}
+
+} // namespace
+} // namespace lobelia::test
+
+int main(int count, char** arguments) {
+    auto gpu = lobelia::test::value_of(lobelia::host::Gpu::create());
+    std::vector<std::string> panoramas(arguments + 1, arguments + count);
+    if (panoramas.empty()) panoramas = lobelia::test::REAL_PANORAMAS;
+    std::printf("%s\n", gpu.description().name.c_str());
+    lobelia::test::measure(gpu, panoramas);
+}

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <lobelia/host/work.h>
+
+#include "host/colour_target.h"
+#include "host/sphere_inputs.h"
+#include "vk/full_screen_pass.h"
+
+namespace lobelia::test {
+
+struct SphereTiming {
+    std::string name;
+    double milliseconds; // median CPU time of the pass
+    double ratio;        // to the first one's, the mirror's
+};
+
+/// Times the sphere pass at 512 x 512, background included: a mirror with one trilinear fetch,
+/// kurt2019 with its colours known, and what is added. All are drawn in turn, so that the machine's
+/// load falls on each alike.
+class SphereTimer {
+public:
+    SphereTimer(host::Gpu& gpu, const host::GpuEnvironment& environment, const Material& material);
+
+    void add(const std::string& name, SphereMethod method, std::uint32_t samples);
+    std::vector<SphereTiming> run();
+
+private:
+    struct Drawing {
+        std::string name;
+        std::function<void(VkCommandBuffer)> record;
+    };
+    void add_shader(const std::string& name, std::span<const std::uint32_t> spirv,
+                    VkDescriptorType type, const vk::Resource& resource);
+
+    host::Gpu& gpu_;
+    const host::GpuEnvironment& environment_;
+    SphereView view_;
+    host::ColourTarget target_;
+    vk::Context context_;
+    vk::Sampler sampler_;
+    host::GpuBuffer colours_;
+    std::vector<host::GpuImage> images_;
+    std::vector<Drawing> drawings_;
+};
+
+} // namespace lobelia::test
