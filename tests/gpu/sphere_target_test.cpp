@@ -104,6 +104,16 @@ TEST_F(SphereTargetTest, RefusesToStartWithoutATargetOrSources) {
     const auto unbound = sphere.bind({});
     ASSERT_FALSE(unbound);
     EXPECT_STREQ(unbound.error().step, "SphereSources lacks what the shading reads");
+
+    const SphereTarget target{.format = VK_FORMAT_R32G32B32A32_SFLOAT};
+    for (const std::uint32_t samples : {0u, SphereShading::MOST_SAMPLES + 1}) {
+        const auto sampled = Sphere::create(gpu.device(), target, {.samples = samples});
+        ASSERT_FALSE(sampled);
+        EXPECT_STREQ(sampled.error().step, "SphereShading takes 1 to 1024 samples");
+    }
+    const auto unknown = Sphere::create(gpu.device(), target, {.method = SphereMethod(99)});
+    ASSERT_FALSE(unknown);
+    EXPECT_STREQ(unknown.error().step, "SphereShading has no such method");
 }
 
 } // namespace
