@@ -27,13 +27,14 @@ struct Tier {
     double cut;                     // end of a kernel in standard deviations
     double sharp_cut;               // the same for maps of SHARP_EXPONENT on, which cost most
     double series_end;              // what harmonics leave out
-    double coarse_exponent; // the largest whose map may have LEAST_MAP_SIZE, else twice that
+    double coarse_exponent;         // the largest whose map may have LEAST_MAP_SIZE
+    std::uint32_t fine_size;        // the least of the others
 };
 constexpr std::uint32_t MANY = 100;
 constexpr Tier TIERS[] = {
-    {MapFilter::spline, 1.0, MANY, 1.4, 1.4, 0.71, 3.5, 3.3, 1e-3, NONE},
-    {MapFilter::spline, 1.4, 1, 1.0, 2.0, 0.71, 4.0, 3.6, 1e-4, 36},
-    {MapFilter::spline, 1.7, 1, 1.0, 2.8, 0.71, 4.5, 4.5, 3e-5, 8},
+    {MapFilter::spline, 1.0, MANY, 1.4, 1.4, 0.71, 3.5, 3.3, 1e-3, NONE, 32},
+    {MapFilter::spline, 1.23, 1, 1.0, 2.0, 0.71, 4.0, 3.6, 5e-4, 36, 48},
+    {MapFilter::spline, 1.7, 1, 1.0, 2.8, 0.71, 4.5, 4.5, 3e-5, 8, 64},
 };
 
 constexpr double START_TEXELS_PER_SIGMA = 2.83; // of half of the first level, of box averages
@@ -52,8 +53,7 @@ std::uint32_t in_steps(double needed, std::uint32_t least, std::uint32_t largest
 
 /// Texels that a map of a lobe needs.
 std::uint32_t size_for(double exponent, const Tier& tier, std::uint32_t largest) {
-    const std::uint32_t least =
-        exponent > tier.coarse_exponent ? 2 * LEAST_MAP_SIZE : LEAST_MAP_SIZE;
+    const std::uint32_t least = exponent > tier.coarse_exponent ? tier.fine_size : LEAST_MAP_SIZE;
     return in_steps(2 * tier.texels_per_sigma * std::sqrt(exponent), least, largest);
 }
 
