@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstring>
 
+#include <lobelia/clipped_tables.h>
+
 #include "host/averages.h"
 #include "host/resize.h"
 #include "host/text.h"
@@ -128,6 +130,27 @@ Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
     std::memcpy(&suns, maps.state.data() + SUN_COUNT_OFFSET, sizeof suns);
     maps.report.suns = suns;
     return maps;
+}
+
+Outcome<GpuImage> make_clipped_tables(Gpu& gpu) {
+    const auto tables = ClippedTables::create(gpu.device());
+    if (!tables) return core_failure(tables.error());
+    auto image =
+        gpu.create_image({.format = ClippedTables::FORMAT,
+                          .width = ClippedTables::WIDTH,
+                          .height = ClippedTables::HEIGHT,
+                          .layers = ClippedTables::LAYERS,
+                          .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    if (!image) return image.error();
+    const auto buffer = gpu.create_buffer(
+        ClippedTables::BUFFER_BYTES,
+        VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT, Memory::device);
+    if (!buffer) return buffer.error();
+    const auto done = gpu.submit([&](VkCommandBuffer commands) {
+        tables->record(commands, buffer->handle(), image->handle());
+    });
+    if (!done) return done.error();
+    return image;
 }
 
 } // namespace lobelia::host

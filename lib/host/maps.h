@@ -23,4 +23,7 @@ struct PrefilteredMaps {
 Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
                                    PrefilterRequest request, const Progress& progress);
 
+/// The tables of ClippedTables, on the device: one image for every environment and material.
+Outcome<GpuImage> make_clipped_tables(Gpu& gpu);
+
 } // namespace lobelia::host

@@ -71,27 +71,6 @@ Outcome<Done> make_split_sum(const Making& making) {
     return add_maps(making, making.inputs.shading.diffuse);
 }
 
-Outcome<GpuImage> make_tables(Gpu& gpu) {
-    const auto tables = ClippedTables::create(gpu.device());
-    if (!tables) return core_failure(tables.error());
-    auto image =
-        gpu.create_image({.format = ClippedTables::FORMAT,
-                          .width = ClippedTables::WIDTH,
-                          .height = ClippedTables::HEIGHT,
-                          .layers = ClippedTables::LAYERS,
-                          .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
-    if (!image) return image.error();
-    const auto buffer = gpu.create_buffer(
-        ClippedTables::BUFFER_BYTES,
-        VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT, Memory::device);
-    if (!buffer) return buffer.error();
-    const auto done = gpu.submit([&](VkCommandBuffer commands) {
-        tables->record(commands, buffer->handle(), image->handle());
-    });
-    if (!done) return done.error();
-    return image;
-}
-
 Outcome<Done> make_taps(const Making& making, Taps taps) {
     SphereInputs& inputs = making.inputs;
     if (!inputs.shading.specular) { // nothing that the horizon cuts
@@ -105,7 +84,7 @@ Outcome<Done> make_taps(const Making& making, Taps taps) {
                            .quality = making.settings.quality},
                           making.progress);
     if (!made) return made.error();
-    auto tables = make_tables(making.gpu);
+    auto tables = make_clipped_tables(making.gpu);
     if (!tables) return tables.error();
     making.add(made->report);
     inputs.shading.suns = made->report.suns > 0u;

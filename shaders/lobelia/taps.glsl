@@ -79,4 +79,22 @@ vec3 shade_suns(vec3 diffuse, vec3 specular, float exponent, vec3 mirror, vec3 n
     return radiance;
 }
 
+// Radiance that a surface sends to the eye by both lobes, the specular one by two taps: six bilinear
+// fetches and a loop over the suns. All that describes the surface may change from pixel to pixel.
+//   diffuse_map  P_1, Prefilter's map for `lambert`
+//   ladder       Prefilter's, of ladder_for(Taps::two, least, most exponent)
+//   tables       what ClippedTables makes; this and the two above with a linear sampler that clamps
+//   diffuse, specular  reflectances kd and ks from 0 on, kd + ks <= 1 in each channel keeps energy
+//   exponent     n of the lobe from 0 to 1e6; beyond the ladder's range its nearest rung stands in
+//   normal, view of unit length, view towards the eye; a normal that faces away counts as level with it
+vec3 shade(samplerCube diffuse_map, sampler2DArray ladder, sampler2DArray tables, vec3 diffuse,
+           vec3 specular, float exponent, vec3 normal, vec3 view) {
+    vec3 mirror = reflect(-view, normal);
+    float cos_theta = clamp(dot(normal, view), 0.0, 1.0);
+    vec3 average = textureLod(diffuse_map, normal, 0.0).rgb / PREFILTER_STATE.scale;
+    vec3 gloss = two_taps(ladder, tables, mirror, normal, cos_theta, exponent);
+    return diffuse * average + specular * phong_albedo(cos_theta, exponent) * gloss +
+           shade_suns(diffuse, specular, exponent, mirror, normal);
+}
+
 #endif
