@@ -99,9 +99,11 @@ double process_milliseconds() {
 Outcome<Done> run_pass(Gpu& gpu, PassReport& report,
                        const std::function<void(VkCommandBuffer)>& record) {
     const double start = process_milliseconds();
-    const auto done = gpu.submit(record);
+    const auto device_ms = gpu.submit_timed(record);
+    if (!device_ms) return device_ms.error();
     report.cpu_ms = report.cpu_ms.value_or(0.0) + process_milliseconds() - start;
-    return done;
+    if (*device_ms) report.gpu_ms = report.gpu_ms.value_or(0.0) + **device_ms;
+    return Done{};
 }
 
 Failure core_failure(const Error& error) {

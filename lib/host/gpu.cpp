@@ -1,57 +1,17 @@
 #include <lobelia/host/gpu.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 
 #include "host/gpu_instance.h"
 #include "host/gpu_memory.h"
+#include "host/timestamps.h"
 
 namespace lobelia::host {
 
 namespace {
 
 constexpr std::uint64_t WAIT_NANOSECONDS = 60'000'000'000; // a dispatch is sized to take 0.1 s
-
-int rank(const std::string& type) {
-    const char* const best_first[] = {"discrete", "integrated", "virtual", "cpu"};
-    return int(std::find(std::begin(best_first), std::end(best_first), type) - best_first);
-}
-
-struct Choice {
-    VkPhysicalDevice device;
-    std::string why;
-};
-
-Outcome<Choice> choose(const Instance& instance, const std::string& wanted) {
-    std::vector<GpuDescription> all;
-    for (const VkPhysicalDevice device : instance.physical_devices)
-        all.push_back(describe(instance, device));
-
-    if (wanted.empty()) {
-        const auto best =
-            std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-                return rank(a.type) < rank(b.type);
-            });
-        return Choice{instance.physical_devices[std::size_t(best - all.begin())],
-                      "the first " + best->type +
-                          " device, in the order discrete, integrated, "
-                          "virtual, cpu"};
-    }
-    std::size_t index = 0;
-    const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
-    if (error == std::errc() && end == wanted.data() + wanted.size() && index < all.size())
-        return Choice{instance.physical_devices[index], "asked for by its index " + wanted};
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (all[i].name.find(wanted) != std::string::npos)
-            return Choice{instance.physical_devices[i], "asked for by its name '" + wanted + "'"};
-
-    std::string message = "no Vulkan device is called or numbered '" + wanted + "'; there are:";
-    for (std::size_t i = 0; i < all.size(); ++i)
-        message += " " + std::to_string(i) + " " + all[i].name + ";";
-    message.back() = '.';
-    return Failure{message};
-}
 
 } // namespace
 
@@ -66,11 +26,13 @@ struct Gpu::State {
     VkQueue queue = VK_NULL_HANDLE;
     HostObject<VkCommandPool, &DeviceFunctions::vkDestroyCommandPool> pool;
     HostObject<VkFence, &DeviceFunctions::vkDestroyFence> fence;
+    Timestamps timestamps;
     VkCommandBuffer commands = VK_NULL_HANDLE;
 
     ~State() {
         if (!context.device.handle) return;
         if (context.call.vkDeviceWaitIdle) context.call.vkDeviceWaitIdle(context.device.handle);
+        timestamps = {};
         fence = {};
         pool = {};
         if (context.call.vkDestroyDevice)
@@ -133,6 +95,9 @@ Outcome<Done> Gpu::State::make_device() {
     LOBELIA_HOST_DEVICE_FUNCTIONS(X)
 #undef X
     context.call.vkGetDeviceQueue(handle, queue_family, 0, &queue);
+    auto made = Timestamps::create(context, family->timestampValidBits, limits.timestampPeriod);
+    if (!made) return made.error();
+    timestamps = std::move(*made);
     return make_command_buffer(queue_family);
 }
 
@@ -239,6 +204,18 @@ Outcome<Done> Gpu::submit(const std::function<void(VkCommandBuffer)>& record) {
     code = call.vkWaitForFences(device, 1, &fence, VK_TRUE, WAIT_NANOSECONDS);
     if (code != VK_SUCCESS) return failed("finish the submitted commands", code);
     return Done{};
+}
+
+Outcome<std::optional<double>>
+Gpu::submit_timed(const std::function<void(VkCommandBuffer)>& record) {
+    const Timestamps& timestamps = state_->timestamps;
+    const auto done = submit([&](VkCommandBuffer commands) {
+        timestamps.record_begin(commands);
+        record(commands);
+        timestamps.record_end(commands);
+    });
+    if (!done) return done.error();
+    return timestamps.milliseconds();
 }
 
 Outcome<Done> Gpu::upload(const Image& source, const GpuImage& target) {

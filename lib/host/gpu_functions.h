@@ -24,23 +24,28 @@
     X(vkCmdCopyBufferToImage)                                                                      \
     X(vkCmdCopyImageToBuffer)                                                                      \
     X(vkCmdPipelineBarrier)                                                                        \
+    X(vkCmdResetQueryPool)                                                                         \
+    X(vkCmdWriteTimestamp)                                                                         \
     X(vkCreateBuffer)                                                                              \
     X(vkCreateCommandPool)                                                                         \
     X(vkCreateFence)                                                                               \
     X(vkCreateImage)                                                                               \
     X(vkCreateImageView)                                                                           \
+    X(vkCreateQueryPool)                                                                           \
     X(vkDestroyBuffer)                                                                             \
     X(vkDestroyCommandPool)                                                                        \
     X(vkDestroyDevice)                                                                             \
     X(vkDestroyFence)                                                                              \
     X(vkDestroyImage)                                                                              \
     X(vkDestroyImageView)                                                                          \
+    X(vkDestroyQueryPool)                                                                          \
     X(vkDeviceWaitIdle)                                                                            \
     X(vkEndCommandBuffer)                                                                          \
     X(vkFreeMemory)                                                                                \
     X(vkGetBufferMemoryRequirements)                                                               \
     X(vkGetDeviceQueue)                                                                            \
     X(vkGetImageMemoryRequirements)                                                                \
+    X(vkGetQueryPoolResults)                                                                       \
     X(vkMapMemory)                                                                                 \
     X(vkQueueSubmit)                                                                               \
     X(vkResetCommandPool)                                                                          \

@@ -1,5 +1,7 @@
 #include "host/gpu_instance.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cstring>
 
 #include <vulkan/vulkan.h>
@@ -152,6 +154,45 @@ GpuDescription describe(const Instance& instance, VkPhysicalDevice device) {
     return {properties.properties.deviceName,
             std::string(driver.driverName) + " " + driver.driverInfo,
             type_name(properties.properties.deviceType), properties.properties.apiVersion};
+}
+
+namespace {
+
+int rank(const std::string& type) {
+    const char* const best_first[] = {"discrete", "integrated", "virtual", "cpu"};
+    return int(std::find(std::begin(best_first), std::end(best_first), type) - best_first);
+}
+
+} // namespace
+
+Outcome<Choice> choose(const Instance& instance, const std::string& wanted) {
+    std::vector<GpuDescription> all;
+    for (const VkPhysicalDevice device : instance.physical_devices)
+        all.push_back(describe(instance, device));
+
+    if (wanted.empty()) {
+        const auto best =
+            std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+                return rank(a.type) < rank(b.type);
+            });
+        return Choice{instance.physical_devices[std::size_t(best - all.begin())],
+                      "the first " + best->type +
+                          " device, in the order discrete, integrated, "
+                          "virtual, cpu"};
+    }
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+    if (error == std::errc() && end == wanted.data() + wanted.size() && index < all.size())
+        return Choice{instance.physical_devices[index], "asked for by its index " + wanted};
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i].name.find(wanted) != std::string::npos)
+            return Choice{instance.physical_devices[i], "asked for by its name '" + wanted + "'"};
+
+    std::string message = "no Vulkan device is called or numbered '" + wanted + "'; there are:";
+    for (std::size_t i = 0; i < all.size(); ++i)
+        message += " " + std::to_string(i) + " " + all[i].name + ";";
+    message.back() = '.';
+    return Failure{message};
 }
 
 } // namespace lobelia::host

@@ -33,6 +33,14 @@ private:
 
 GpuDescription describe(const Instance& instance, VkPhysicalDevice device);
 
+/// A physical device and why it was picked.
+struct Choice {
+    VkPhysicalDevice device;
+    std::string why;
+};
+/// The device that GpuOptions::device asks for.
+Outcome<Choice> choose(const Instance& instance, const std::string& wanted);
+
 /// The failure of a Vulkan call: what could not be done ("create a fence") and what Vulkan
 /// answered.
 Failure failed(const std::string& step, VkResult code);

@@ -67,6 +67,16 @@ TEST_F(WorkTest, ReportsWhatItDid) {
     EXPECT_EQ(rendering.report.passes.back().bytes_written, 80u * 16);
 }
 
+TEST_F(WorkTest, TimesEveryPassByTheDevicesClockToo) {
+    const host::GpuEnvironment environment = upload(even_panorama(64, 32, 1.0f, 1.0f, 1.0f));
+    const SphereView view{.material = grey(0.5f, 0.5f, 4.0f), .width = 10, .height = 8};
+    const auto rendering = value_of(host::render(gpu, environment, {.view = view}));
+    for (const host::PassReport& pass : rendering.report.passes) {
+        EXPECT_GE(pass.cpu_ms.value_or(-1.0), 0.0) << pass.name;
+        EXPECT_GT(pass.gpu_ms.value_or(-1.0), 0.0) << pass.name;
+    }
+}
+
 TEST_F(WorkTest, SamplesFromMips) {
     const host::GpuEnvironment environment = upload(even_panorama(64, 32, 1.0f, 2.0f, 3.0f));
     for (const bool filtered : {false, true}) {

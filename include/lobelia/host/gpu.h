@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -110,6 +111,10 @@ public:
 
     /// Records commands, submits them and waits until the device has finished.
     Outcome<Done> submit(const std::function<void(VkCommandBuffer)>& record);
+
+    /// The same, and gives the milliseconds between the device's timestamps before and after;
+    /// nothing where its queue has none.
+    Outcome<std::optional<double>> submit_timed(const std::function<void(VkCommandBuffer)>& record);
 
     /// Replaces level 0 of `target` (R32G32B32A32_SFLOAT, TRANSFER_DST usage) by `source` of the
     /// same shape. Leaves it in SHADER_READ_ONLY_OPTIMAL, visible to fragment and compute shaders.
