@@ -1,4 +1,4 @@
-#include "host/atomic_file.h"
+#include <lobelia/host/write.h>
 
 #include <algorithm>
 #include <cerrno>

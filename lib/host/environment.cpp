@@ -11,21 +11,12 @@ namespace lobelia::host {
 
 namespace {
 
-constexpr std::uint32_t SKY_WIDTH = 1024;
-constexpr std::uint32_t SKY_HEIGHT = 512;
-
 constexpr VkImageUsageFlags USAGE = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
                                     VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                     VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 
 GpuImageDescription cube_shape(std::uint32_t face) {
     return {.width = face, .height = face, .layers = 6, .usage = USAGE, .cube = true};
-}
-
-// A texel of the panorama's equator is as wide as one in the middle of a face of width / 4.
-std::uint32_t default_face(std::uint32_t panorama_width, Quality quality) {
-    const std::uint32_t face = std::bit_ceil(std::max((panorama_width + 3) / 4, 1u));
-    return quality == Quality::high ? 2 * face : face;
 }
 
 Outcome<GpuEnvironment> resample(Gpu& gpu, GpuImage panorama, WorkReport report, std::uint32_t face,
@@ -71,6 +62,12 @@ bool is_complete(const Image& image) {
 
 } // namespace
 
+// A texel of the panorama's equator is as wide as one in the middle of a face of width / 4.
+std::uint32_t default_face(std::uint32_t panorama_width, Quality quality) {
+    const std::uint32_t face = std::bit_ceil(std::max((panorama_width + 3) / 4, 1u));
+    return quality == Quality::high ? 2 * face : face;
+}
+
 Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face,
                                            Quality quality) {
     if (!is_complete(image))
@@ -84,15 +81,17 @@ Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::ui
 }
 
 Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face, Quality quality) {
-    auto panorama = gpu.create_image({.width = SKY_WIDTH, .height = SKY_HEIGHT, .usage = USAGE});
+    auto panorama =
+        gpu.create_image({.width = BUILTIN_WIDTH, .height = BUILTIN_WIDTH / 2, .usage = USAGE});
     if (!panorama) return panorama.error();
     const auto sky = Sky::create(gpu.device());
     if (!sky) return core_failure(sky.error());
-    const auto job = sky->bind({panorama->handle(), panorama->view(), SKY_WIDTH, SKY_HEIGHT});
+    const auto job =
+        sky->bind({panorama->handle(), panorama->view(), BUILTIN_WIDTH, BUILTIN_WIDTH / 2});
     if (!job) return core_failure(job.error());
 
     PassReport run{.name = "sky",
-                   .invocations = std::uint64_t(SKY_WIDTH) * SKY_HEIGHT,
+                   .invocations = std::uint64_t(BUILTIN_WIDTH) * BUILTIN_WIDTH / 2,
                    .bytes_written = image_bytes(*panorama)};
     const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) { job->record(commands); });
     if (!done) return done.error();

@@ -13,7 +13,6 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
-#include "host/atomic_file.h"
 #include "host/cube_layout.h"
 #include "host/exr_stream.h"
 #include "host/image_shape.h"

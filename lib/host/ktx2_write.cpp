@@ -12,7 +12,6 @@
 #include <Imath/half.h>
 #include <vulkan/vulkan_core.h>
 
-#include "host/atomic_file.h"
 #include "host/image_shape.h"
 #include "host/message.h"
 

@@ -4,10 +4,13 @@
 #include <bit>
 #include <cmath>
 
+#include "host/checks.h"
+
 namespace lobelia::host {
 
 namespace {
 
+constexpr std::uint32_t MOST_SAMPLES = 65535;
 constexpr std::uint32_t LARGEST_SIDE = 16384;
 constexpr std::uint32_t LARGEST_DEFAULT_FACE = 256;
 constexpr std::uint32_t LEAST_DEFAULT_FACE = 32;
@@ -56,6 +59,14 @@ Outcome<Done> check_levels(const PrefilterSettings& settings) {
                    ", give a larger face or fewer exponents"};
 }
 
+Outcome<Done> check_sizes(const PrefilterSettings& settings) {
+    if (settings.width > LARGEST_SIDE || settings.height > LARGEST_SIDE)
+        return Failure{"a map's size is " + std::to_string(settings.width) + "x" +
+                       std::to_string(std::max(settings.height, 1u)) +
+                       ", give sides of 1 to 16384 texels"};
+    return settings.levels ? check_levels(settings) : Done{};
+}
+
 } // namespace
 
 std::vector<MapSize> map_sizes(const PrefilterSettings& settings) {
@@ -65,12 +76,14 @@ std::vector<MapSize> map_sizes(const PrefilterSettings& settings) {
     return sizes;
 }
 
-Outcome<Done> check_sizes(const PrefilterSettings& settings) {
-    if (settings.width > LARGEST_SIDE || settings.height > LARGEST_SIDE)
-        return Failure{"a map's size is " + std::to_string(settings.width) + "x" +
-                       std::to_string(std::max(settings.height, 1u)) +
-                       ", give sides of 1 to 16384 texels"};
-    return settings.levels ? check_levels(settings) : Done{};
+Outcome<Done> check_prefilter(const PrefilterSettings& settings) {
+    if (settings.exponents.empty()) return Failure{"no exponent is given, give at least one"};
+    for (const float exponent : settings.exponents)
+        if (const auto refused = check_exponent(exponent)) return *refused;
+    if (settings.samples < 1 || settings.samples > MOST_SAMPLES)
+        return Failure{"there are " + std::to_string(settings.samples) + " samples, give 1 to " +
+                       std::to_string(MOST_SAMPLES)};
+    return check_sizes(settings);
 }
 
 } // namespace lobelia::host

@@ -14,7 +14,7 @@ struct MapSize {
 /// The size of each map that `settings` ask for.
 std::vector<MapSize> map_sizes(const PrefilterSettings& settings);
 
-/// Why there can be no maps of the sizes asked for.
-Outcome<Done> check_sizes(const PrefilterSettings& settings);
+/// Why there can be no maps as they are asked for.
+Outcome<Done> check_prefilter(const PrefilterSettings& settings);
 
 } // namespace lobelia::host

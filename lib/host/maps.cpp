@@ -20,10 +20,6 @@ constexpr std::size_t SUN_COUNT_OFFSET = 8;  // bytes, in PrefilterState of lobe
 constexpr VkImageUsageFlags MAP_USAGE =
     VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
 
-std::uint32_t source_face(std::uint32_t face) {
-    return std::clamp(std::bit_ceil(face), LEAST_FACE, LARGEST_FACE);
-}
-
 Outcome<std::vector<GpuImage>> make_images(Gpu& gpu, std::span<const PrefilteredMap> maps) {
     std::vector<GpuImage> images;
     for (const PrefilteredMap& map : maps) {
@@ -69,13 +65,17 @@ Outcome<Done> run(Gpu& gpu, const PrefilterPlan& plan, const PrefilterJob& job,
 
 } // namespace
 
+std::uint32_t prefilter_face(std::uint32_t face) {
+    return std::clamp(std::bit_ceil(face), LEAST_FACE, LARGEST_FACE);
+}
+
 Outcome<std::optional<GpuImage>> resized_cube(Gpu& gpu, const GpuEnvironment& environment) {
     const std::uint32_t face = environment.cube.description().width;
-    if (source_face(face) == face) return std::optional<GpuImage>{};
+    if (prefilter_face(face) == face) return std::optional<GpuImage>{};
     const auto cube = gpu.download(environment.cube, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     if (!cube) return cube.error();
     GpuImageDescription shape = environment.cube.description();
-    shape.width = shape.height = source_face(face);
+    shape.width = shape.height = prefilter_face(face);
     auto image = gpu.create_image(shape);
     if (!image) return image.error();
     if (const auto done = gpu.upload(resize_faces(*cube, shape.width), *image); !done)
@@ -83,13 +83,12 @@ Outcome<std::optional<GpuImage>> resized_cube(Gpu& gpu, const GpuEnvironment& en
     return std::optional<GpuImage>(std::move(*image));
 }
 
-Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
-                                   PrefilterRequest request, const Progress& progress) {
-    const auto resized = resized_cube(gpu, environment);
+Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, PrefilterRequest request) {
+    auto resized = resized_cube(gpu, environment);
     if (!resized) return resized.error();
     const GpuImage& source = *resized ? **resized : environment.cube;
     request.source_size = source.description().width;
-    const auto plan = PrefilterPlan::make(request);
+    auto plan = PrefilterPlan::make(request);
     if (!plan) return core_failure(plan.error());
     const auto prefilter = Prefilter::create(gpu.device());
     if (!prefilter) return core_failure(prefilter.error());
@@ -98,10 +97,10 @@ Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
     if (!images) return images.error();
     auto ladder = make_ladder_image(gpu, *plan);
     if (!ladder) return ladder.error();
-    const auto scratch = gpu.create_buffer(plan->scratch_size(),
-                                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                               VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
-                                           Memory::device);
+    auto scratch = gpu.create_buffer(plan->scratch_size(),
+                                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                         VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
+                                     Memory::device);
     if (!scratch) return scratch.error();
     auto state = gpu.create_buffer(
         plan->state_size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
@@ -110,26 +109,35 @@ Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
 
     std::vector<CubeMap> lent;
     for (const GpuImage& image : *images) lent.push_back(lend_cube(image));
-    const auto job =
-        prefilter->bind(*plan, lend_cube(source), lent, scratch->handle(), state->handle(),
-                        *ladder ? (*ladder)->handle() : VK_NULL_HANDLE);
+    auto job = prefilter->bind(*plan, lend_cube(source), lent, scratch->handle(), state->handle(),
+                               *ladder ? (*ladder)->handle() : VK_NULL_HANDLE);
     if (!job) return core_failure(job.error());
     PrefilteredMaps maps{{plan->maps().begin(), plan->maps().end()},
                          std::move(*images),
                          std::move(*ladder),
                          std::move(*state),
                          {}};
-    if (const auto done = run(gpu, *plan, *job, progress, maps.report); !done) return done.error();
+    return MapsJob{std::move(*plan), std::move(*resized), std::move(*scratch), std::move(*job),
+                   std::move(maps)};
+}
+
+Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
+                                   PrefilterRequest request, const Progress& progress) {
+    auto bound = bind_maps(gpu, environment, request);
+    if (!bound) return bound.error();
+    PrefilteredMaps& maps = bound->maps;
+    const auto done = run(gpu, bound->plan, bound->job, progress, maps.report);
+    if (!done) return done.error();
     for (std::size_t i = 0; i < maps.images.size(); ++i)
         maps.report.images.push_back(image_report(
             "map n=" + number_text(maps.descriptions[i].exponent), maps.images[i], "kept"));
     if (maps.ladder)
         maps.report.images.push_back(image_report(
-            "ladder from n=" + number_text(plan->ladder().lowest), *maps.ladder, "kept"));
+            "ladder from n=" + number_text(bound->plan.ladder().lowest), *maps.ladder, "kept"));
     std::uint32_t suns = 0;
     std::memcpy(&suns, maps.state.data() + SUN_COUNT_OFFSET, sizeof suns);
     maps.report.suns = suns;
-    return maps;
+    return std::move(maps);
 }
 
 Outcome<GpuImage> make_clipped_tables(Gpu& gpu) {

@@ -1,9 +1,16 @@
 #pragma once
 
 #include <lobelia/host/work.h>
+#include <lobelia/map_reader.h>
 #include <lobelia/prefilter.h>
 
+#include "host/averages.h"
+#include "host/directions.h"
+
 namespace lobelia::host {
+
+/// The edge of a cube map that prefilters read in place of one of `face` texels.
+std::uint32_t prefilter_face(std::uint32_t face);
 
 /// The environment's cube map in a size that prefilters read, a power of two from 16 to 1024;
 /// nothing where it has one already.
@@ -18,12 +25,26 @@ struct PrefilteredMaps {
     WorkReport report;
 };
 
-/// Runs the prefilter on the environment's cube map, pass by pass. The request's source size is
-/// that of the environment.
+/// Maps that are ready to be made, any number of times, by recording all passes of `plan`.
+struct MapsJob {
+    PrefilterPlan plan;
+    std::optional<GpuImage> resized; // the source, where the environment's cube is none
+    GpuBuffer scratch;
+    PrefilterJob job;
+    PrefilteredMaps maps;
+};
+/// The request's source size is that of the environment, here and in make_maps().
+Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, PrefilterRequest request);
+
+/// Runs the prefilter on the environment's cube map, pass by pass.
 Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
                                    PrefilterRequest request, const Progress& progress);
 
 /// The tables of ClippedTables, on the device: one image for every environment and material.
 Outcome<GpuImage> make_clipped_tables(Gpu& gpu);
+
+/// Reads map `index` of `maps` at the unit vectors `axes`.
+Outcome<Averages> read_map(Gpu& gpu, const MapReader& reader, const PrefilteredMaps& maps,
+                           std::size_t index, std::span<const Vector> axes);
 
 } // namespace lobelia::host

@@ -10,7 +10,6 @@
 
 #include <png.h>
 
-#include "host/atomic_file.h"
 #include "host/message.h"
 #include "host/tone_map.h"
 

@@ -1,11 +1,7 @@
-#include <cstring>
-
 #include <lobelia/exact.h>
 #include <lobelia/host/work.h>
-#include <lobelia/map_reader.h>
 
 #include "host/averages.h"
-#include "host/checks.h"
 #include "host/directions.h"
 #include "host/importance.h"
 #include "host/map_sizes.h"
@@ -15,19 +11,6 @@
 namespace lobelia::host {
 
 namespace {
-
-constexpr std::uint32_t MOST_SAMPLES = 65535;
-
-Outcome<Done> check(const PrefilterSettings& settings) {
-    if (settings.exponents.empty()) return Failure{"no exponent is given, give at least one"};
-    for (const float exponent : settings.exponents)
-        if (const auto refused = check_exponent(exponent)) return *refused;
-    if (const auto valid = check_sizes(settings); !valid) return valid.error();
-    if (settings.samples < 1 || settings.samples > MOST_SAMPLES)
-        return Failure{"there are " + std::to_string(settings.samples) + " samples, give 1 to " +
-                       std::to_string(MOST_SAMPLES)};
-    return Done{};
-}
 
 Image map_image(Layout layout, const MapSize& size, std::vector<float> texels) {
     return {layout, size.width, size.height, layout == Layout::cube ? 6u : 1u, std::move(texels)};
@@ -96,34 +79,6 @@ Outcome<Prefiltering> by_importance(Gpu& gpu, const GpuEnvironment& environment,
     return result;
 }
 
-/// The values of one prefiltered map at the texel centres of an image.
-Outcome<Image> read_map(Gpu& gpu, const MapReader& reader, const PrefilteredMaps& maps,
-                        std::size_t index, Layout layout, const MapSize& size, PassReport& run) {
-    std::vector<float> directions;
-    for (const Vector& axis : texel_directions(layout, size.width, size.height))
-        directions.insert(directions.end(), {float(axis.x), float(axis.y), float(axis.z), 0.0f});
-    const VkDeviceSize bytes = directions.size() * sizeof(float);
-    auto input = gpu.create_buffer(bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Memory::host);
-    if (!input) return input.error();
-    std::memcpy(input->data(), directions.data(), bytes);
-    auto output = gpu.create_buffer(bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Memory::host);
-    if (!output) return output.error();
-    const auto job = reader.bind({.map = maps.descriptions[index],
-                                  .view = maps.images[index].view(),
-                                  .state = maps.state.handle(),
-                                  .directions = input->handle(),
-                                  .results = output->handle(),
-                                  .count = std::uint32_t(directions.size() / 4)});
-    if (!job) return core_failure(job.error());
-    const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) { job->record(commands); });
-    if (!done) return done.error();
-    run.invocations = directions.size() / 4;
-    run.bytes_read = bytes + image_bytes(maps.images[index]);
-    run.bytes_written = bytes;
-    std::memcpy(directions.data(), output->data(), bytes);
-    return map_image(layout, size, std::move(directions));
-}
-
 Outcome<Prefiltering> by_chain(Gpu& gpu, const GpuEnvironment& environment,
                                const PrefilterSettings& settings, const Progress& progress) {
     const auto maps =
@@ -136,11 +91,12 @@ Outcome<Prefiltering> by_chain(Gpu& gpu, const GpuEnvironment& environment,
     const double count = double(settings.exponents.size());
     Prefiltering result{{}, maps->report};
     for (std::size_t i = 0; i < settings.exponents.size(); ++i) {
-        PassReport run{.name = "read map"};
-        auto image = read_map(gpu, *reader, *maps, i, settings.layout, sizes[i], run);
-        if (!image) return image.error();
-        result.maps.push_back(std::move(*image));
-        result.report.passes.push_back(run);
+        const MapSize& size = sizes[i];
+        auto values = read_map(gpu, *reader, *maps, i,
+                               texel_directions(settings.layout, size.width, size.height));
+        if (!values) return values.error();
+        result.maps.push_back(map_image(settings.layout, size, std::move(values->texels)));
+        result.report.passes.push_back(values->report);
         if (progress && !progress(0.5 + 0.5 * double(i + 1) / count)) return Failure{"cancelled"};
     }
     return result;
@@ -150,7 +106,7 @@ Outcome<Prefiltering> by_chain(Gpu& gpu, const GpuEnvironment& environment,
 
 Outcome<Prefiltering> prefilter(Gpu& gpu, const GpuEnvironment& environment,
                                 const PrefilterSettings& settings, const Progress& progress) {
-    if (const auto valid = check(settings); !valid) return valid.error();
+    if (const auto valid = check_prefilter(settings); !valid) return valid.error();
     switch (settings.method) {
     case PrefilterMethod::chain: break;
     case PrefilterMethod::importance:

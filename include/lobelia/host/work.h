@@ -52,13 +52,18 @@ struct GpuEnvironment {
     WorkReport report;
 };
 
-/// Uploads `image` and makes the cube map: `face` texels, or the next power of two >= width / 4
-/// where `face` is 0, twice that for Quality::high.
+/// The faces of the cube map that a panorama is made into where nothing else is asked for: the next
+/// power of two >= width / 4, twice that for Quality::high.
+std::uint32_t default_face(std::uint32_t panorama_width, Quality quality = Quality::normal);
+
+/// Uploads `image` and makes the cube map: `face` texels, or default_face() where `face` is 0.
 Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face = 0,
                                            Quality quality = Quality::normal);
 
+constexpr std::uint32_t BUILTIN_WIDTH = 1024;
+
 /// The built-in environment, made on the device from formulas: a clear sky, a ground, soft boxes
-/// and a small bright sun, 1024 x 512.
+/// and a small bright sun, BUILTIN_WIDTH texels wide and half as high.
 Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face = 0,
                                                  Quality quality = Quality::normal);
 

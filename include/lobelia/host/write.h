@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <utility>
@@ -48,5 +49,14 @@ Outcome<Done> write_ktx2(const std::string& path, std::span<const Image> levels,
 /// alpha as it is (the colour divided by it first where it is not 0, since PNG is not
 /// premultiplied). Replaces `path` in one step, as write_exr does.
 Outcome<Done> write_png(const std::string& path, const Image& picture, float exposure);
+
+/// Makes `bytes` the content of the file at `path` in one step: they are written to a file beside
+/// it (`.lobelia-<process>-<number>.tmp`), brought to the disk and read back, and that file takes
+/// the name. On failure the file at `path` is as it was and nothing else is left. A new file has
+/// the permissions of any new file, a replaced one keeps its own.
+///
+/// A symbolic link stays and the file that it points to is replaced. A device or pipe is written
+/// straight into. A folder is refused. The message of a failure names `path`.
+Outcome<Done> replace_file(const std::string& path, std::span<const std::byte> bytes);
 
 } // namespace lobelia::host

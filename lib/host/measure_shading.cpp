@@ -1,0 +1,104 @@
+#include "host/averages.h"
+#include "host/checks.h"
+#include "host/colour_target.h"
+#include "host/sphere_inputs.h"
+#include "host/warm_cost.h"
+
+namespace lobelia::host {
+
+namespace {
+
+constexpr std::uint64_t TEXEL_BYTES = 4 * sizeof(float);
+constexpr double AFFORDABLE_MILLISECONDS = 50.0; // of one picture
+constexpr std::uint32_t LEAST_SIZE = 64;
+
+/// Methods of many samples take seconds for a large picture: they are timed in a smaller one.
+std::uint32_t affordable_size(double pixel_ms, std::uint32_t size) {
+    while (size > LEAST_SIZE && pixel_ms * size * size > AFFORDABLE_MILLISECONDS) size /= 2;
+    return size;
+}
+
+/// A picture of the sphere, ready to be drawn any number of times.
+struct Drawing {
+    ColourTarget target;
+    SphereJob job;
+    SphereView view;
+
+    Outcome<Done> run(Gpu& gpu, PassReport& report) const {
+        return run_pass(gpu, report, [&](VkCommandBuffer commands) {
+            target.record(commands, [&](VkCommandBuffer inside) { job.record(inside, view); });
+        });
+    }
+};
+
+Outcome<Drawing> prepare(Gpu& gpu, const SphereInputs& inputs, const SphereView& view) {
+    auto target = ColourTarget::create(gpu, view.width, view.height);
+    if (!target) return target.error();
+    const auto sphere =
+        Sphere::create(gpu.device(), {.render_pass = target->render_pass()}, inputs.shading);
+    if (!sphere) return core_failure(sphere.error());
+    auto job = sphere->bind(inputs.sources);
+    if (!job) return core_failure(job.error());
+    return Drawing{std::move(*target), std::move(*job), view};
+}
+
+Outcome<std::vector<float>> covered_colours(Gpu& gpu, const Drawing& drawing) {
+    PassReport run;
+    if (const auto done = drawing.run(gpu, run); !done) return done.error();
+    const auto picture = gpu.download(drawing.target.image(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    if (!picture) return picture.error();
+    std::vector<float> colours;
+    for (std::size_t i = 0; i < picture->texels.size(); i += 4)
+        if (picture->texels[i + 3] == 1.0f)
+            colours.insert(colours.end(), &picture->texels[i], &picture->texels[i] + 3);
+    if (colours.empty()) return Failure{"the sphere covers no pixel wholly, give a larger size"};
+    return colours;
+}
+
+/// Of the passes that made the inputs: for the reference they are the work.
+Cost cost_of_inputs(const SphereInputs& inputs, const SphereView& view, std::uint32_t timed_size) {
+    PassReport all;
+    std::uint64_t bytes = 0;
+    for (const PassReport& pass : inputs.report.passes) {
+        add_times(all, pass);
+        bytes += pass.bytes_read + pass.bytes_written;
+    }
+    Cost cost = once(all, double(timed_size) * timed_size / (double(view.width) * view.height));
+    cost.bytes = bytes;
+    cost.dispatches = inputs.report.passes.size();
+    return cost;
+}
+
+} // namespace
+
+Outcome<Measured> measure_shading(Gpu& gpu, const GpuEnvironment& environment,
+                                  const RenderSettings& settings, std::uint32_t timed_size) {
+    SphereView view = settings.view;
+    view.background = false;
+    if (const auto refused = check_view(view, gpu.limits())) return *refused;
+    if (const auto refused = check_material(view.material, true)) return *refused;
+    const auto inputs = make_sphere_inputs(gpu, environment, settings, {});
+    if (!inputs) return inputs.error();
+    const auto small = prepare(gpu, *inputs, view);
+    if (!small) return small.error();
+    auto colours = covered_colours(gpu, *small);
+    if (!colours) return colours.error();
+    if (settings.method == SphereMethod::reference)
+        return Measured{std::move(*colours), cost_of_inputs(*inputs, view, timed_size)};
+
+    PassReport warm;
+    if (const auto done = small->run(gpu, warm); !done) return done.error();
+    const double pixel_ms = warm.cpu_ms.value_or(0.0) / (double(view.width) * view.height);
+    view.width = view.height = affordable_size(pixel_ms, timed_size);
+    const auto large = prepare(gpu, *inputs, view);
+    if (!large) return large.error();
+    auto cost = warm_cost(gpu, [&](PassReport& report) { return large->run(gpu, report); });
+    if (!cost) return cost.error();
+    const double scale = double(timed_size) / view.width;
+    scale_times(*cost, scale * scale);
+    cost->bytes = inputs->bytes + TEXEL_BYTES * timed_size * timed_size;
+    cost->dispatches = 1;
+    return Measured{std::move(*colours), *cost};
+}
+
+} // namespace lobelia::host
