@@ -8,6 +8,7 @@
 #include "messages.h"
 #include "numbers.h"
 #include "parsed_option.h"
+#include "prefilter_method.h"
 #include "quality.h"
 #include "report.h"
 #include "verbs.h"
@@ -32,31 +33,6 @@ struct PrefilterOptions {
     GpuChoice gpu;
     bool json = false;
 };
-
-const char* method_name(host::PrefilterMethod method) {
-    switch (method) {
-    case host::PrefilterMethod::chain: return "chain";
-    case host::PrefilterMethod::importance: return "importance";
-    case host::PrefilterMethod::filtered_importance: return "filtered-importance";
-    case host::PrefilterMethod::exact: return "exact";
-    }
-    return "";
-}
-
-bool takes_samples(host::PrefilterMethod method) {
-    return method == host::PrefilterMethod::importance ||
-           method == host::PrefilterMethod::filtered_importance;
-}
-
-Outcome<host::PrefilterMethod> parse_method(std::string_view text) {
-    for (const auto method :
-         {host::PrefilterMethod::chain, host::PrefilterMethod::importance,
-          host::PrefilterMethod::filtered_importance, host::PrefilterMethod::exact})
-        if (text == method_name(method)) return method;
-    return host::Failure{"\"" + std::string(text) +
-                         "\" is no method; there are chain, importance, filtered-importance and "
-                         "exact"};
-}
 
 Outcome<host::Layout> parse_layout(std::string_view text) {
     if (text == "cube") return host::Layout::cube;
@@ -116,7 +92,7 @@ host::Metadata metadata_of(const host::PrefilterSettings& settings) {
     for (const float exponent : settings.exponents)
         exponents += (exponents.empty() ? "" : ",") + number_text(exponent);
     host::Metadata metadata{{"lobelia:exponents", exponents},
-                            {"lobelia:method", method_name(settings.method)},
+                            {"lobelia:method", prefilter_method_name(settings.method)},
                             {"lobelia:scale", "1"},
                             {"lobelia:suns", "in the texels"}};
     if (settings.method == host::PrefilterMethod::chain)
@@ -150,7 +126,7 @@ Outcome<Report> prefilter(const PrefilterOptions& options) {
     if (!written) return written.error();
 
     report.gpu = gpu->description();
-    report.method = method_name(settings.method);
+    report.method = prefilter_method_name(settings.method);
     if (settings.method == host::PrefilterMethod::chain) report.quality = settings.quality;
     report.sanitised = (*source)->sanitised;
     report.append(environment->report);
@@ -182,7 +158,7 @@ void add_prefilter(CLI::App& program, int& status) {
     add_parsed(*verb, "--exponents", parse_exponents, &options->exponents, "X,X,...",
                "Phong exponents, from 0 to 1e6, one map each");
     verb->add_flag("--lambert", options->lambert, "the diffuse lobe, which is exponent 1");
-    add_parsed(*verb, "--method", parse_method, &options->method, "NAME",
+    add_parsed(*verb, "--method", parse_prefilter_method, &options->method, "NAME",
                "chain (the prefilter, the default), importance or filtered-importance (the usual "
                "methods), or exact (integrates over every texel for every texel)");
     add_parsed(*verb, "--samples", parse_count, &options->samples, "N",

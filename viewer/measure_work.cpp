@@ -1,0 +1,178 @@
+#include "measure_work.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "numbers.h"
+#include "prefilter_method.h"
+#include "quality.h"
+
+namespace lobelia::cli {
+
+using host::Measured;
+
+namespace {
+
+constexpr std::size_t DIRECTIONS = 400;          // at which maps are compared
+constexpr std::uint32_t COMPARED_SIZE = 20;      // of the pictures whose pixels are compared
+constexpr std::uint32_t TIMED_SIZE = 512;        // of the pictures that are timed
+constexpr float DIFFUSE = 0.3f, SPECULAR = 0.6f; // of the material, as render's defaults
+
+using Directions = std::vector<std::array<float, 3>>;
+
+/// Uniform over the sphere, the same on every machine.
+const Directions& directions() {
+    static const Directions all = [] {
+        std::mt19937_64 engine(1);
+        const auto unit = [&] { return double(engine() >> 11) * 0x1p-53; }; // in [0, 1)
+        Directions made;
+        for (std::size_t i = 0; i < DIRECTIONS; ++i) {
+            const double z = 2.0 * unit() - 1.0, angle = 2.0 * std::numbers::pi * unit();
+            const double radius = std::sqrt(1.0 - z * z);
+            made.push_back(
+                {float(radius * std::cos(angle)), float(radius * std::sin(angle)), float(z)});
+        }
+        return made;
+    }();
+    return all;
+}
+
+host::PrefilterSettings prefilter_settings(const MeasureCase& what) {
+    host::PrefilterSettings settings{.method = *parse_prefilter_method(what.method),
+                                     .exponents = {what.exponent}};
+    if (what.quality) settings.quality = *parse_quality(*what.quality);
+    if (what.samples) settings.samples = *what.samples;
+    return settings;
+}
+
+host::RenderSettings render_settings(SphereMethod method, float diffuse, float specular,
+                                     float exponent) {
+    return {.view = {.material = {.diffuse = {diffuse, diffuse, diffuse},
+                                  .specular = {specular, specular, specular},
+                                  .exponent = exponent},
+                     .background = false,
+                     .width = COMPARED_SIZE,
+                     .height = COMPARED_SIZE},
+            .method = method};
+}
+
+SphereMethod render_method(const std::string& name) {
+    for (const host::RenderMethod& known : host::render_methods())
+        if (name == known.name) return known.method;
+    return SphereMethod::reference;
+}
+
+/// Light adds up, and so does the work.
+Measured sum(Measured one, const Measured& other) {
+    for (std::size_t i = 0; i < one.colours.size(); ++i) one.colours[i] += other.colours[i];
+    host::Cost& cost = one.cost;
+    cost.cpu_ms += other.cost.cpu_ms;
+    if (cost.gpu_ms && other.cost.gpu_ms) *cost.gpu_ms += *other.cost.gpu_ms;
+    cost.bytes += other.cost.bytes;
+    cost.dispatches += other.cost.dispatches;
+    return one;
+}
+
+} // namespace
+
+nlohmann::ordered_json measure_settings() {
+    return {{"directions", DIRECTIONS},
+            {"compared_picture", COMPARED_SIZE},
+            {"timed_picture", TIMED_SIZE},
+            {"kd", nlohmann::ordered_json::parse(number_text(DIFFUSE))},
+            {"ks", nlohmann::ordered_json::parse(number_text(SPECULAR))}};
+}
+
+Outcome<const host::GpuEnvironment*> Measurer::upload(const MeasureSource& source,
+                                                      std::uint32_t face) {
+    auto known = uploads_.find(face);
+    if (known == uploads_.end()) {
+        auto made = source.file ? host::upload_environment(gpu_, source.file->image, face)
+                                : host::make_builtin_environment(gpu_, face);
+        if (!made) return made.error();
+        known = uploads_.emplace(face, std::move(*made)).first;
+    }
+    return &known->second;
+}
+
+Outcome<double> Measurer::yardstick(std::uint32_t face) {
+    const auto known = yardsticks_.find(face);
+    if (known != yardsticks_.end()) return known->second;
+    const auto cost = host::measure_mip_chain(gpu_, face);
+    if (!cost) return cost.error();
+    yardsticks_[face] = cost->cpu_ms;
+    return cost->cpu_ms;
+}
+
+Outcome<Measured> Measurer::exact_prefilter(const MeasureCase& what, const MeasureSource& source) {
+    const auto environment = upload(source, source.face);
+    if (!environment) return environment.error();
+    return folder_.remembered(
+        source.fingerprint + "-n" + number_text(what.exponent), [&]() -> Outcome<Measured> {
+            return host::measure_prefilter(
+                gpu_, **environment,
+                {.method = host::PrefilterMethod::exact, .exponents = {what.exponent}},
+                directions());
+        });
+}
+
+Outcome<Measured> Measurer::prefilter(const MeasureCase& what,
+                                      const host::GpuEnvironment& environment) {
+    return host::measure_prefilter(gpu_, environment, prefilter_settings(what), directions());
+}
+
+Outcome<Measured> Measurer::reference(const MeasureCase& what, const MeasureSource& source) {
+    const auto environment = upload(source, source.face);
+    if (!environment) return environment.error();
+    // The diffuse part is the same for every exponent.
+    const auto part = [&](const std::string& name, float diffuse, float specular) {
+        return folder_.remembered(
+            source.fingerprint + "-sphere-" + name, [&]() -> Outcome<Measured> {
+                return host::measure_shading(
+                    gpu_, **environment,
+                    render_settings(SphereMethod::reference, diffuse, specular, what.exponent),
+                    TIMED_SIZE);
+            });
+    };
+    auto diffuse = part("diffuse", DIFFUSE, 0.0f);
+    if (!diffuse) return diffuse.error();
+    const auto specular = part("n" + number_text(what.exponent), 0.0f, SPECULAR);
+    if (!specular) return specular.error();
+    return sum(std::move(*diffuse), *specular);
+}
+
+Outcome<Measured> Measurer::shade(const MeasureCase& what,
+                                  const host::GpuEnvironment& environment) {
+    host::RenderSettings settings =
+        render_settings(render_method(what.method), DIFFUSE, SPECULAR, what.exponent);
+    if (what.samples) settings.samples = *what.samples;
+    return host::measure_shading(gpu_, environment, settings, TIMED_SIZE);
+}
+
+Outcome<MeasureRow> Measurer::measure(const MeasureCase& what, const MeasureSource& source) {
+    if (environment_ != source.name) uploads_.clear();
+    // The machine drifts: the yardstick is measured beside what it is held against.
+    if (environment_ != source.name || exponent_ != what.exponent) yardsticks_.clear();
+    environment_ = source.name;
+    exponent_ = what.exponent;
+
+    const bool prefilters = what.task == "prefilter";
+    const auto exact = prefilters ? exact_prefilter(what, source) : reference(what, source);
+    if (!exact) return exact.error();
+    const auto environment = upload(source, what.face_size);
+    if (!environment) return environment.error();
+    const bool is_exact = prefilters
+                              ? *parse_prefilter_method(what.method) == host::PrefilterMethod::exact
+                              : render_method(what.method) == SphereMethod::reference;
+    const auto measured = is_exact     ? exact
+                          : prefilters ? prefilter(what, **environment)
+                                       : shade(what, **environment);
+    if (!measured) return measured.error();
+    const auto mip_chain = yardstick(what.face_size);
+    if (!mip_chain) return mip_chain.error();
+    return MeasureRow{what, host::measure_error(measured->colours, exact->colours), measured->cost,
+                      *mip_chain};
+}
+
+} // namespace lobelia::cli
