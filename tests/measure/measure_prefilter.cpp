@@ -24,7 +24,7 @@
 namespace lobelia::test {
 namespace {
 
-constexpr std::uint32_t DIRECTIONS = 400;
+constexpr std::uint32_t DIRECTIONS = 150;
 const std::vector<float> EXPONENTS = {1,  2,   4.8f, 8,   11,  16,  32,   37,
                                       64, 128, 150,  256, 512, 700, 1024, 2048};
 
