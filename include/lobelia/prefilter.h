@@ -13,9 +13,10 @@ namespace lobelia {
 /// How exact the maps are and what they cost. docs/prefilter.md has the figures and the command
 /// that measures them.
 enum class Quality : std::uint32_t {
-    fast,   // coarser maps and no chain of levels
-    normal, // what the rest of this is tuned for
-    high,   // finer maps and wider kernels, meant for a source of twice the size
+    // Pointwise relative RMS on photographed panoramas for n up to 700, and at 2048:
+    fast,   // 1e-2 and 1e-2: coarser maps and no chain of levels
+    normal, // 2e-3 and 4e-3
+    high,   // 1e-3 and 1e-3: finer maps and wider kernels, of a source of twice the size
 };
 
 /// How a map is meant to be read: the blur of that filter is left out of the map.
