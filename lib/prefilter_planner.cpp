@@ -12,7 +12,7 @@ constexpr double NONE = std::numeric_limits<double>::infinity();
 constexpr VkDeviceSize ALIGNMENT = 256;        // no device asks for more at a buffer view's offset
 constexpr std::uint32_t LEAST_CHAIN_SIZE = 32; // coarser grids have an error of their own
 constexpr std::uint32_t LEAST_MAP_SIZE = 32;
-constexpr std::uint32_t SIZE_STEP = 16; // of maps: two texels for each of a workgroup's eight
+constexpr std::uint32_t SIZE_STEP = 8;  // of maps
 constexpr double CHAIN_EXPONENT = 45;   // below it harmonics are cheaper and better than the chain
 constexpr double HARMONIC_EXPONENT = 1; // below it their series is too long: direct sums
 
@@ -32,7 +32,7 @@ struct Tier {
 };
 constexpr std::uint32_t MANY = 100;
 constexpr Tier TIERS[] = {
-    {MapFilter::spline, 1.0, MANY, 1.4, 1.4, 0.71, 3.5, 3.3, 1e-3, NONE, 32},
+    {MapFilter::spline, 0.95, MANY, 1.4, 1.4, 0.71, 3.5, 3.2, 2e-3, NONE, 32},
     {MapFilter::spline, 1.23, 1, 1.0, 2.0, 0.71, 4.0, 3.6, 5e-4, 36, 48},
     {MapFilter::spline, 1.7, 1, 1.0, 2.8, 0.71, 4.5, 4.5, 3e-5, 8, 64},
 };
