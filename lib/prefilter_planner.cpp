@@ -33,7 +33,7 @@ struct Tier {
 constexpr std::uint32_t MANY = 100;
 constexpr Tier TIERS[] = {
     {MapFilter::spline, 0.95, MANY, 1.4, 1.4, 0.71, 3.5, 3.2, 2e-3, NONE, 32},
-    {MapFilter::spline, 1.23, 1, 1.0, 2.0, 0.71, 4.0, 3.6, 5e-4, 36, 64},
+    {MapFilter::spline, 1.23, 1, 1.0, 2.0, 0.71, 4.0, 3.6, 1e-4, 36, 64},
     {MapFilter::spline, 1.7, 1, 1.0, 2.8, 0.71, 4.5, 4.5, 3e-5, 8, 64},
 };
 

@@ -156,7 +156,7 @@ TEST_F(RenderVerb, PrintsOneJsonObjectWithTheContractsKeys) {
         Json::parse(run_well({"render", "--size", "16x16", "-o", "a.exr", "--json"}));
     EXPECT_EQ(keys_of(report), (Names{"device", "driver", "method", "quality", "passes", "images",
                                       "suns", "sanitised", "seconds"}));
-    EXPECT_EQ(report["method"], "split-sum");
+    EXPECT_EQ(report["method"], "two-tap");
     EXPECT_EQ(report["sanitised"], nullptr); // no file was read
     EXPECT_GT(report["seconds"], 0.0);
     ASSERT_FALSE(report["passes"].empty());
