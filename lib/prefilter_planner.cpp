@@ -2,99 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "prefilter_tiers.h"
 
 namespace lobelia {
 
 namespace {
 
-constexpr double NONE = std::numeric_limits<double>::infinity();
 constexpr VkDeviceSize ALIGNMENT = 256;        // no device asks for more at a buffer view's offset
 constexpr std::uint32_t LEAST_CHAIN_SIZE = 32; // coarser grids have an error of their own
-constexpr std::uint32_t LEAST_MAP_SIZE = 32;
-constexpr std::uint32_t SIZE_STEP = 8;  // of maps
 constexpr double CHAIN_EXPONENT = 45;   // below it harmonics are cheaper and better than the chain
 constexpr double HARMONIC_EXPONENT = 1; // below it their series is too long: direct sums
-
-/// What tells the tiers apart; docs/prefilter.md has what they reach.
-struct Tier {
-    MapFilter filter;
-    double texels_per_sigma;        // of a map
-    std::uint32_t most_halvings;    // before the chain; MANY: there is none
-    double halved_texels_per_sigma; // of a kernel that reads a level made by halving
-    double ladder_texels_per_sigma; // of the ladder's lowest rung, and half of that of its highest
-    double chain_texels_per_sigma;  // of a level that the chain goes on from
-    double cut;                     // end of a kernel in standard deviations
-    double sharp_cut;               // the same for maps of SHARP_EXPONENT on, which cost most
-    double series_end;              // what harmonics leave out
-    double coarse_exponent;         // the largest whose map may have LEAST_MAP_SIZE
-    std::uint32_t fine_size;        // the least of the others
-};
-constexpr std::uint32_t MANY = 100;
-constexpr Tier TIERS[] = {
-    {MapFilter::spline, 0.95, MANY, 1.4, 1.4, 0.71, 3.5, 3.2, 2e-3, NONE, 32},
-    {MapFilter::spline, 1.23, 1, 1.0, 2.0, 0.71, 4.0, 3.6, 1e-4, 36, 64},
-    {MapFilter::spline, 1.7, 1, 1.0, 2.8, 0.71, 4.5, 4.5, 3e-5, 8, 64},
-};
-
 constexpr double START_TEXELS_PER_SIGMA = 2.83; // of half of the first level, of box averages
 constexpr double SHARP_EXPONENT = 1500;
 constexpr double CHAIN_RATIO = 2.2; // least ratio of exponents from a level to a map
 
-double sharpest_for(double size, double texels_per_sigma) {
-    return std::pow(size / (2 * texels_per_sigma), 2);
-}
-
-/// A size of at least `needed` and `least` texels in whole steps, but no more than `largest`.
-std::uint32_t in_steps(double needed, std::uint32_t least, std::uint32_t largest) {
-    const double steps = std::ceil(std::min(needed, double(largest)) / SIZE_STEP - 1e-3);
-    return std::min(std::max(std::uint32_t(steps) * SIZE_STEP, least), largest);
-}
-
-/// Texels that a map of a lobe needs.
-std::uint32_t size_for(double exponent, const Tier& tier, std::uint32_t largest) {
-    const std::uint32_t least = exponent > tier.coarse_exponent ? tier.fine_size : LEAST_MAP_SIZE;
-    return in_steps(2 * tier.texels_per_sigma * std::sqrt(exponent), least, largest);
-}
-
-double texel_variance(std::uint32_t size, double texels_squared) {
-    return texels_squared * 4.0 / (double(size) * size);
-}
-
-/// Mean over the sphere of what a variance in the face's plane is in radians squared per axis: for
-/// kernels so wide that they see all of it.
-double mean_on_sphere(double face_variance) {
-    constexpr int N = 64;
-    double sum = 0, weights = 0;
-    for (int i = 0; i < N; ++i)
-        for (int j = 0; j < N; ++j) {
-            const double u = (i + 0.5) / N, v = (j + 0.5) / N;
-            const double square = 1 + u * u + v * v;
-            const double weight = std::pow(square, -1.5);
-            sum += weight * 0.5 * (1 / square + 1 / (square * square));
-            weights += weight;
-        }
-    return face_variance * sum / weights;
-}
-
-/// How many degrees of the series a lobe needs: what is left out is below `tolerance` of what a
-/// single direction's light gives the series, in the norm over the sphere.
-std::uint32_t degrees_for(double exponent, double tolerance) {
-    const std::vector<double> lambda = lobe_eigenvalues(exponent, 2 * MANY);
-    double left = 0;
-    std::uint32_t degrees = 2 * MANY;
-    for (; degrees > 1; --degrees) {
-        const double l = double(degrees - 1);
-        left += (2 * l + 1) * lambda[degrees - 1] * lambda[degrees - 1];
-        if (left > tolerance * tolerance) break;
-    }
-    return std::min(degrees, DEGREES);
-}
-
 class Planner {
 public:
     Planner(const PrefilterRequest& request, PrefilterPlan::State& plan)
-        : tier_(TIERS[std::size_t(request.quality)]), plan_(plan) {}
+        : tier_(tier_of(request.quality)), plan_(plan) {}
 
     void run(const PrefilterRequest& request) {
         plan_.source_size = request.source_size;
