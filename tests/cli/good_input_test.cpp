@@ -107,7 +107,7 @@ TEST_F(RenderVerb, TakesNoSpecularWhereOnlyDiffuseIsGivenAndTheOtherWayRound) {
 TEST_F(RenderVerb, HasTheContractsDefaults) {
     EXPECT_TRUE(picture({}) == picture({"--kd", "0.3", "--ks", "0.6", "-n", "64", "--eye", "0,0,4",
                                         "--target", "0,0,0", "--up", "0,1,0", "--fov", "30",
-                                        "--rotate", "0", "--method", "split-sum"}));
+                                        "--rotate", "0", "--method", "two-tap"}));
 }
 
 TEST_F(RenderVerb, TurnsTheEnvironmentByWholeTurnsToWhereItWas) {
