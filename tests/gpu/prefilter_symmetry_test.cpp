@@ -143,7 +143,7 @@ constexpr double SUN_ROUNDING = 1e-6; // of a few sums and a unit vector in 32 b
 
 class PrefilterRotationTest : public PrefilterTest {
 protected:
-    const Wanted wanted{{0.5f, 4.8f, 64, 700}, true};
+    const Wanted wanted{{0.5f, 4.8f, 45, 64, 700, 1e4f}, true};
 
     // The largest relative difference between the maps of the rotated environment and the rotated
     // maps.
@@ -171,7 +171,7 @@ protected:
 };
 
 TEST_F(PrefilterRotationTest, TurnsWithTheEnvironment) {
-    const host::Image image = image_of(oracle::random_cube(Scene::noise, 32, 10));
+    const host::Image image = image_of(oracle::random_cube(Scene::noise, 64, 10));
     const Prefiltered straight = make(image, wanted);
     EXPECT_EQ(straight.found().sun_count, 0u);
     for (const CubeRotation& rotation : cube_rotations())
