@@ -138,8 +138,7 @@ INSTANTIATE_TEST_SUITE_P(Cli, BadInputTest, testing::ValuesIn(BAD_INPUTS), name_
 
 TEST_F(StrangersFileTest, IsRefusedOrShown) {
     std::size_t count = 0;
-    for (const auto& file :
-         std::filesystem::directory_iterator(LOBELIA_TESTS_FOLDER "/../corpus")) {
+    for (const auto& file : std::filesystem::directory_iterator(LOBELIA_CORPUS_FOLDER)) {
         expect_picture_or_refusal(file.path().string());
         ++count;
     }

@@ -103,7 +103,7 @@ TEST_F(MapFile, IsByDefaultWhatEveryLevelsLobeNeeds) {
 }
 
 TEST_F(MapFile, Has32BitsWhereASunOverflows16) {
-    const std::string sun = LOBELIA_TESTS_FOLDER "/../corpus/sun1e9.exr";
+    const std::string sun = LOBELIA_CORPUS_FOLDER "/sun1e9.exr";
     const Ktx2File file = prefilter({sun, "--exponents", "512,1", "--face", "16"});
     EXPECT_EQ(file.format, R32G32B32A32_SFLOAT);
     float brightest = 0.0f;

@@ -41,7 +41,7 @@ std::string bytes_of(const std::string& path) {
 }
 
 std::string corpus(const std::string& name) {
-    return std::string(LOBELIA_TESTS_FOLDER) + "/../corpus/" + name;
+    return LOBELIA_CORPUS_FOLDER "/" + name;
 }
 
 std::vector<Channel> colour_channels(Imf::PixelType type) {
