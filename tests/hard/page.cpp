@@ -1,0 +1,90 @@
+#include "page.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace lobelia::hard {
+
+namespace {
+
+constexpr const char* HEAD = R"(# Hard cases
+
+What is hard for an image-based light, what is promised of it, and how near the library comes to the
+end of its promise. The rows are data of the tests (`tests/hard/`); this page is written by a run of
+all of them:
+
+    cmake --build --preset release --target update-hard-cases
+
+`worst` is the error that came nearest to what is allowed of it, and that; `exact` where the promise
+is one of bytes, `refused` where it is an error that says what is wrong and what to do. A test's name
+stands where another test holds the promise. Errors are relative unless the promise says otherwise;
+"the map" is what the prefilter stores, in halves, "exact" the direct integration.
+)";
+
+std::string number(double value) {
+    std::ostringstream out;
+    out.precision(2);
+    out << value;
+    return out.str();
+}
+
+std::string measured(const Row& row, const Run& run) {
+    const auto found = run.find(row.id);
+    if (row.absent) return std::string(" | does not apply: ") + row.absent;
+    std::string text = found == run.end() ? " | " : std::to_string(found->second.points()) + " | ";
+    if (found != run.end()) {
+        const Findings& findings = found->second;
+        if (findings.only_refusals())
+            text += "refused";
+        else if (findings.allowed() == 0)
+            text += "exact";
+        else
+            text += number(findings.worst()) + " of " + number(findings.allowed());
+    }
+    if (row.held_by) text += std::string(found == run.end() ? "" : "; ") + "`" + row.held_by + "`";
+    return text;
+}
+
+} // namespace
+
+std::string promise_line(const Row& row) {
+    return std::string("| ") + row.id + " | " + row.input + " | " + row.promise + " | ";
+}
+
+std::string page(const Run& run) {
+    std::string text = HEAD;
+    for (const Kind& kind : catalogue()) {
+        text += std::string("\n## ") + kind.title +
+                "\n\n| | case | promise | points | worst |\n| --- | --- | --- | --- | --- |\n";
+        for (const Row& row : kind.rows) text += promise_line(row) + measured(row, run) + " |\n";
+    }
+    return text;
+}
+
+std::string counts(const Run& run) {
+    int rows = 0, elsewhere = 0, absent = 0, points = 0;
+    double exact = 0, sharp = 0;
+    std::uint64_t values = 0, non_finite = 0;
+    for (const Kind& kind : catalogue())
+        for (const Row& row : kind.rows) {
+            ++rows;
+            absent += row.absent != nullptr;
+            elsewhere += !row.check && row.held_by;
+        }
+    for (const auto& [id, findings] : run) {
+        points += findings.points();
+        exact = std::max(exact, findings.worst_exact);
+        sharp = std::max(sharp, findings.worst_sharp);
+        values += findings.texels;
+        non_finite += findings.non_finite;
+    }
+    std::ostringstream out;
+    out << "rows: " << rows << "\nrows held by other tests: " << elsewhere
+        << "\nrows that do not apply: " << absent << "\npoints: " << points
+        << "\nworst relative error, n <= 1e4: " << number(exact)
+        << "\nworst relative error, n <= 1e6: " << number(sharp) << "\nvalues looked at: " << values
+        << "\nnon-finite or negative values: " << non_finite << "\n";
+    return out.str();
+}
+
+} // namespace lobelia::hard

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "catalogue.h"
+
+namespace lobelia::hard {
+
+/// What the rows that were run gave, by their ids.
+using Run = std::map<std::string, Findings>;
+
+/// The beginning of a row's line on the page: all but what was measured.
+std::string promise_line(const Row& row);
+
+/// docs/hard-cases.md after a run of all rows.
+std::string page(const Run& run);
+
+/// The counts of a run, one a line: a name, a colon, a number.
+std::string counts(const Run& run);
+
+} // namespace lobelia::hard
