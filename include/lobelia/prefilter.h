@@ -44,6 +44,10 @@ struct PrefilterRequest {
     bool lambert = false;             // one map more: P_1 for the diffuse lobe, read bilinearly
     Ladder ladder;
     Quality quality = Quality::normal;
+    /// For exponents that will be edited: the sharpest to come. All levels that maps up to it can be
+    /// blurred from are made, and stay in the scratch buffer for the maps of later plans
+    /// (PrefilterPlan::shares_levels). 0: the levels that these maps need, and no longer.
+    float levels_up_to = 0;
     /// Of maps and ladder. Halves lose no sun: suns lie beside the maps and a power of two scales
     /// them.
     VkFormat map_format = VK_FORMAT_R16G16B16A16_SFLOAT; // or R32G32B32A32_SFLOAT
@@ -76,7 +80,8 @@ public:
     std::uint32_t ladder_size() const noexcept;
 
     /// Bytes of the scratch buffer: STORAGE_BUFFER, UNIFORM_TEXEL_BUFFER usage. Free again when the
-    /// recorded commands have run.
+    /// recorded commands have run, unless its levels are to be kept. Plans that share levels have
+    /// the same size.
     VkDeviceSize scratch_size() const noexcept;
 
     /// Bytes of the state buffer, STORAGE_BUFFER and UNIFORM_BUFFER usage: the maps' scale and suns
@@ -85,6 +90,14 @@ public:
 
     /// Number of passes; PrefilterJob::record() takes any range of them.
     std::uint32_t pass_count() const noexcept;
+    /// Passes from this one on make the maps and the ladder, those before it the levels that they
+    /// are blurred from.
+    std::uint32_t first_map_pass() const noexcept;
+    /// Whether the levels that `other`'s passes left in a scratch buffer are those of this plan:
+    /// both were made with the same source size, quality and levels_up_to, which is not 0. A job of
+    /// this plan, bound to the same source, scratch and state buffer, then makes its maps by the
+    /// passes from first_map_pass() on, with the same bits as by all of them.
+    bool shares_levels(const PrefilterPlan& other) const noexcept;
     PrefilterPass pass(std::uint32_t index) const noexcept;
 
     const State& state() const noexcept { return *state_; }
@@ -103,13 +116,16 @@ public:
     ~PrefilterJob();
 
     /// Records passes [first, first + count) of the plan, in order and once each; they may be
-    /// spread over command buffers submitted in order, with the same bits. Never allocates, submits
-    /// or waits.
+    /// spread over command buffers submitted in order, with the same bits. Begin at pass 0, or at
+    /// the plan's first_map_pass() where the levels are there from a plan that shares them; the
+    /// state buffer then needs TRANSFER_DST usage if there is a ladder. Never allocates, submits or
+    /// waits.
     ///
-    /// On entry to pass 0 the source is in SHADER_READ_ONLY_OPTIMAL, visible to compute shaders;
-    /// the maps' and the ladder's content is discarded. After the last pass they are in
-    /// SHADER_READ_ONLY_OPTIMAL
-    /// and with the state buffer visible to fragment and compute shaders.
+    /// On entry to pass 0 the source is in SHADER_READ_ONLY_OPTIMAL, visible to compute shaders. On
+    /// entry to the first map pass the maps' and the ladder's content is discarded. After the last
+    /// pass they are in SHADER_READ_ONLY_OPTIMAL and with the state buffer visible to fragment and
+    /// compute shaders. Between the two, and from pass 1 on the state buffer too, nothing of them
+    /// may be read.
     void record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count) const noexcept;
 
 private:
