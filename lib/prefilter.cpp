@@ -10,10 +10,11 @@ namespace lobelia {
 namespace {
 
 constexpr std::uint32_t FACES = 6;
-constexpr std::uint32_t GROUP_SIZE = 8;       // local_size_x and _y of all but the next two
-constexpr std::uint32_t TILE_SIZE = 8;        // of statistics.comp
-constexpr std::uint32_t SUM_GROUP_SIZE = 64;  // of sum.comp
-constexpr std::uint32_t BROAD_GROUP_SIZE = 4; // of broad.comp; suns.comp is one group
+constexpr std::uint32_t GROUP_SIZE = 8;           // local_size_x and _y of all but the next two
+constexpr std::uint32_t TILE_SIZE = 8;            // of statistics.comp
+constexpr std::uint32_t SUM_GROUP_SIZE = 64;      // of sum.comp
+constexpr std::uint32_t BROAD_GROUP_SIZE = 4;     // of broad.comp; suns.comp is one group
+constexpr VkDeviceSize LADDER_LOWEST_OFFSET = 12; // bytes, in PrefilterState of lobelia/suns.glsl
 
 std::uint32_t groups(std::uint32_t size, std::uint32_t group) {
     return (size + group - 1) / group;
@@ -45,6 +46,7 @@ struct PrefilterJob::State {
     std::vector<vk::Resource> resources(const PlannedPass& planned) const;
 
     void begin(VkCommandBuffer commands) const noexcept;
+    void tell_ladder(VkCommandBuffer commands) const noexcept;
     void end(VkCommandBuffer commands) const noexcept;
     void record_pass(VkCommandBuffer commands, std::uint32_t index) const noexcept;
 };
@@ -162,6 +164,20 @@ void PrefilterJob::State::begin(VkCommandBuffer commands) const noexcept {
         vk::image_barrier(context, commands, map, vk::DISCARDED, vk::STORED);
 }
 
+// What the state buffer says of a ladder may be from the plan that made the levels.
+void PrefilterJob::State::tell_ladder(VkCommandBuffer commands) const noexcept {
+    constexpr VkPipelineStageFlags SHADERS =
+        VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT;
+    const vk::Context& context = shared->context;
+    vk::memory_barrier(context, commands, SHADERS, VK_ACCESS_SHADER_WRITE_BIT,
+                       VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT);
+    context.call.vkCmdUpdateBuffer(commands, state, LADDER_LOWEST_OFFSET, sizeof(float),
+                                   &plan.state().ladder.lowest);
+    vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                       VK_ACCESS_TRANSFER_WRITE_BIT, SHADERS,
+                       VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_UNIFORM_READ_BIT);
+}
+
 void PrefilterJob::State::end(VkCommandBuffer commands) const noexcept {
     const vk::Context& context = shared->context;
     for (const VkImage map : map_images)
@@ -269,10 +285,14 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
 
 void PrefilterJob::record(VkCommandBuffer commands, std::uint32_t first,
                           std::uint32_t count) const noexcept {
-    if (first == 0 && count > 0) state_->begin(commands);
+    if (count == 0) return;
+    const bool from_levels = first == state_->plan.first_map_pass();
+    if (first == 0 || from_levels) state_->begin(commands);
+    if (from_levels && state_->plan.state().levels_up_to > 0 && state_->plan.ladder().rungs)
+        state_->tell_ladder(commands);
     for (std::uint32_t index = first; index < first + count; ++index)
         state_->record_pass(commands, index);
-    if (count > 0 && first + count == state_->plan.pass_count()) state_->end(commands);
+    if (first + count == state_->plan.pass_count()) state_->end(commands);
 }
 
 } // namespace lobelia

@@ -50,8 +50,16 @@ Result<PrefilterPlan> PrefilterPlan::make(const PrefilterRequest& request) {
             if (!(exponent >= 0 && exponent <= LARGEST_EXPONENT))
                 return Error{VK_ERROR_VALIDATION_FAILED_EXT,
                              "an exponent is a number from 0 to 1e6"};
+        const float kept = request.levels_up_to;
+        if (!(kept >= 0 && kept <= LARGEST_LADDER))
+            return Error{VK_ERROR_VALIDATION_FAILED_EXT, "levels_up_to is a number from 0 to 4e6"};
         auto state = std::make_shared<State>();
         plan_passes(request, *state);
+        if (kept > 0)
+            for (const PrefilteredMap& map : state->maps)
+                if (map.exponent > kept)
+                    return Error{VK_ERROR_VALIDATION_FAILED_EXT,
+                                 "no map or rung is sharper than levels_up_to"};
         return PrefilterPlan(std::move(state));
     });
 }
@@ -76,6 +84,15 @@ VkDeviceSize PrefilterPlan::state_size() const noexcept {
 }
 std::uint32_t PrefilterPlan::pass_count() const noexcept {
     return std::uint32_t(state_->passes.size());
+}
+
+std::uint32_t PrefilterPlan::first_map_pass() const noexcept {
+    return state_->first_map_pass;
+}
+bool PrefilterPlan::shares_levels(const PrefilterPlan& other) const noexcept {
+    return state_->levels_up_to > 0 && state_->levels_up_to == other.state_->levels_up_to &&
+           state_->source_size == other.state_->source_size &&
+           state_->quality == other.state_->quality;
 }
 
 namespace {

@@ -58,6 +58,8 @@ struct PlannedPass {
 
 struct PrefilterPlan::State {
     std::uint32_t source_size;
+    Quality quality;
+    float levels_up_to;
     VkFormat map_format;
     std::vector<PrefilteredMap> maps; // and after `map_count` the ladder's rungs
     std::size_t map_count;
@@ -68,7 +70,8 @@ struct PrefilterPlan::State {
         return is_rung(map) ? maps[map].size - 1 : maps[map].size;
     }
     std::vector<ChainLevel> levels;
-    std::vector<PlannedPass> passes;
+    std::vector<PlannedPass> passes; // those with maps last
+    std::uint32_t first_map_pass;
     VkDeviceSize tiles_bytes;
     VkDeviceSize terms_offset, terms_bytes; // partial sums of spherical harmonics
     VkDeviceSize scratch_bytes;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "prefilter_tiers.h"
 
@@ -24,15 +25,21 @@ public:
 
     void run(const PrefilterRequest& request) {
         plan_.source_size = request.source_size;
+        plan_.quality = request.quality;
+        plan_.levels_up_to = request.levels_up_to;
         plan_.map_format = request.map_format;
         for (const float exponent : request.exponents) add_map(exponent);
         if (request.lambert) plan_.maps.push_back({1.0f, LEAST_MAP_SIZE, MapFilter::bilinear});
         plan_.map_count = plan_.maps.size();
         add_ladder(request.ladder);
         start();
+        if (request.levels_up_to > 0) keep_levels();
         for (std::uint32_t i = 0; i < plan_.maps.size(); ++i)
             if (double(plan_.maps[i].exponent) >= CHAIN_EXPONENT) plan_map(i);
         plan_low();
+        const auto maps = std::stable_partition(plan_.passes.begin(), plan_.passes.end(),
+                                                [](const auto& pass) { return pass.maps.empty(); });
+        plan_.first_map_pass = std::uint32_t(maps - plan_.passes.begin());
         lay_out();
     }
 
@@ -55,7 +62,7 @@ private:
     }
 
     double sharpest() const {
-        double most = 0;
+        double most = double(plan_.levels_up_to);
         for (const PrefilteredMap& map : plan_.maps) most = std::max(most, double(map.exponent));
         return most;
     }
@@ -69,14 +76,47 @@ private:
         while (size < plan_.source_size &&
                sharpest_for(size / 2, START_TEXELS_PER_SIGMA) < sharpest())
             size *= 2;
-        PlannedPass prepare{PlannedPass::Kind::prepare};
-        prepare.target = add_level(size, NONE, texel_variance(size, 1.0 / 12), 2);
-        prepare.block = plan_.source_size / size;
-        plan_.passes.push_back(prepare);
-        prepare.kind = PlannedPass::Kind::suns_out;
-        plan_.passes.push_back(prepare);
-        fill_margins(prepare.target);
-        halved_ = {prepare.target};
+        halved_ = {prepare(size)};
+    }
+
+    /// The source without suns, box-averaged to faces of `size`.
+    std::uint32_t prepare(std::uint32_t size) {
+        PlannedPass pass{PlannedPass::Kind::prepare};
+        pass.target = add_level(size, NONE, texel_variance(size, 1.0 / 12), 2);
+        pass.block = plan_.source_size / size;
+        plan_.passes.push_back(pass);
+        pass.kind = PlannedPass::Kind::suns_out;
+        plan_.passes.push_back(pass);
+        fill_margins(pass.target);
+        return pass.target;
+    }
+
+    /// All that maps up to the sharpest can be made from, with the margins that they need.
+    void keep_levels() {
+        if (double(plan_.levels_up_to) >= CHAIN_EXPONENT) {
+            source_for(CHAIN_EXPONENT);
+            for (std::uint32_t i = 0; i < halved_.size(); ++i)
+                reserve_margin(halved_[i],
+                               i < tier_.most_halvings ? tier_.halved_texels_per_sigma : 0.0);
+            for (const std::uint32_t level : chain_) reserve_margin(level, 0.0);
+        }
+        ChainLevel& low = plan_.levels[project()];
+        low.margin = low.size; // of a direct sum
+    }
+
+    /// For the least exponent that is made from a level: one more, by `halved` texels for its
+    /// standard deviation or where that is 0 by the chain, is made from the next.
+    void reserve_margin(std::uint32_t index, double halved) {
+        ChainLevel& level = plan_.levels[index];
+        const std::uint32_t next = level.size / 2;
+        double least = CHAIN_EXPONENT;
+        if (next >= LEAST_CHAIN_SIZE)
+            least = std::max(least, halved > 0 ? sharpest_for(next, halved)
+                                               : sharpest_for(next, tier_.chain_texels_per_sigma) /
+                                                     CHAIN_RATIO);
+        const double variance = 1 / least - 1 / level.exponent - level.face_variance / 2;
+        if (least <= double(plan_.levels_up_to))
+            need_margin(level, std::min(tier_.cut * std::sqrt(std::max(variance, 0.0)), 1.3));
     }
 
     std::uint32_t add_level(std::uint32_t size, double exponent, double face_variance,
@@ -190,8 +230,8 @@ private:
                 harmonic.push_back(i);
         }
         if (harmonic.empty() && broad.empty()) return;
+        if (!harmonic.empty()) plan_harmonics(harmonic);
         const std::uint32_t source = low_source();
-        if (!harmonic.empty()) plan_harmonics(source, harmonic);
         for (std::size_t first = 0; first < broad.size(); first += BROAD_MAPS) {
             const std::size_t end = std::min(first + BROAD_MAPS, broad.size());
             plan_broad(source, {broad.begin() + std::ptrdiff_t(first),
@@ -199,24 +239,35 @@ private:
         }
     }
 
-    /// A level of the least size, blurred evenly.
+    /// A level of the least size, blurred evenly: the same whatever else is asked for, so that maps
+    /// of low exponents have the same bits without the sharp ones.
     std::uint32_t low_source() {
-        const double exponent = sharpest_for(LEAST_CHAIN_SIZE, tier_.chain_texels_per_sigma);
-        const std::uint32_t first = plan_.levels[0].size;
-        if (first <= LEAST_CHAIN_SIZE) return 0;
-        if (tier_.most_halvings == 1 && first > 2 * LEAST_CHAIN_SIZE)
-            return source_for(exponent / CHAIN_RATIO); // a level of the chain
-        return blur_level(source_for(exponent), LEAST_CHAIN_SIZE, exponent);
+        if (low_) return *low_;
+        const std::uint32_t size = std::min(2 * LEAST_CHAIN_SIZE, plan_.source_size);
+        const std::uint32_t first =
+            plan_.levels[halved_[0]].size == size ? halved_[0] : prepare(size);
+        low_ = size <= LEAST_CHAIN_SIZE
+                   ? first
+                   : blur_level(first, LEAST_CHAIN_SIZE,
+                                sharpest_for(LEAST_CHAIN_SIZE, tier_.chain_texels_per_sigma));
+        return *low_;
     }
 
-    void plan_harmonics(std::uint32_t source, const std::vector<std::uint32_t>& maps) {
-        PlannedPass project{PlannedPass::Kind::project};
-        project.source = source;
-        plan_.passes.push_back(project);
+    /// The low level's spherical harmonics.
+    std::uint32_t project() {
+        const std::uint32_t source = low_source();
+        if (plan_.terms_bytes) return source;
+        PlannedPass pass{PlannedPass::Kind::project};
+        pass.source = source;
+        plan_.passes.push_back(pass);
         plan_.passes.push_back({PlannedPass::Kind::sum});
-        const ChainLevel& from = plan_.levels[source];
-        plan_.terms_bytes =
-            VkDeviceSize(6) * from.size * from.size / CHUNK_TEXELS * TERMS * TERM_BYTES;
+        const std::uint32_t size = plan_.levels[source].size;
+        plan_.terms_bytes = VkDeviceSize(6) * size * size / CHUNK_TEXELS * TERMS * TERM_BYTES;
+        return source;
+    }
+
+    void plan_harmonics(const std::vector<std::uint32_t>& maps) {
+        const ChainLevel& from = plan_.levels[project()];
         for (const std::uint32_t index : maps) {
             const PrefilteredMap& map = plan_.maps[index];
             const double blurred =
@@ -269,6 +320,7 @@ private:
     // Levels made so far, each half the size of the last: by halving alone, and from the last of
     // those on by the chain.
     std::vector<std::uint32_t> halved_, chain_;
+    std::optional<std::uint32_t> low_; // the one that low exponents are made from
 };
 
 } // namespace

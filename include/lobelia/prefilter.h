@@ -44,8 +44,8 @@ struct PrefilterRequest {
     bool lambert = false;             // one map more: P_1 for the diffuse lobe, read bilinearly
     Ladder ladder;
     Quality quality = Quality::normal;
-    /// For exponents that will be edited: the sharpest to come. All levels that maps up to it can be
-    /// blurred from are made, and stay in the scratch buffer for the maps of later plans
+    /// For exponents that will be edited: the sharpest to come. All levels that maps up to it can
+    /// be blurred from are made, and stay in the scratch buffer for the maps of later plans
     /// (PrefilterPlan::shares_levels). 0: the levels that these maps need, and no longer.
     float levels_up_to = 0;
     /// Of maps and ladder. Halves lose no sun: suns lie beside the maps and a power of two scales
@@ -86,6 +86,7 @@ public:
 
     /// Bytes of the state buffer, STORAGE_BUFFER and UNIFORM_BUFFER usage: the maps' scale and suns
     /// (PrefilterState of lobelia/suns.glsl), to be kept as long as the maps and read as uniforms.
+    /// A ladder from levels that are kept needs TRANSFER_DST usage too.
     VkDeviceSize state_size() const noexcept;
 
     /// Number of passes; PrefilterJob::record() takes any range of them.
@@ -117,15 +118,13 @@ public:
 
     /// Records passes [first, first + count) of the plan, in order and once each; they may be
     /// spread over command buffers submitted in order, with the same bits. Begin at pass 0, or at
-    /// the plan's first_map_pass() where the levels are there from a plan that shares them; the
-    /// state buffer then needs TRANSFER_DST usage if there is a ladder. Never allocates, submits or
-    /// waits.
+    /// the plan's first_map_pass() where the levels are there from a plan that shares them. Never
+    /// allocates, submits or waits.
     ///
-    /// On entry to pass 0 the source is in SHADER_READ_ONLY_OPTIMAL, visible to compute shaders. On
-    /// entry to the first map pass the maps' and the ladder's content is discarded. After the last
-    /// pass they are in SHADER_READ_ONLY_OPTIMAL and with the state buffer visible to fragment and
-    /// compute shaders. Between the two, and from pass 1 on the state buffer too, nothing of them
-    /// may be read.
+    /// On entry the maps' and the ladder's content is discarded; from pass 0 on also the state
+    /// buffer's, and the source is in SHADER_READ_ONLY_OPTIMAL, visible to compute shaders. After
+    /// the last pass maps and ladder are in SHADER_READ_ONLY_OPTIMAL and with the state buffer
+    /// visible to fragment and compute shaders.
     void record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count) const noexcept;
 
 private:
