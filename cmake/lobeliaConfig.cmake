@@ -1,5 +1,35 @@
-# find_package(lobelia CONFIG) gives lobelia::lobelia: the core library, its headers, and the GLSL on the
-# same include path (#include "lobelia/taps.glsl").
+# find_package(lobelia CONFIG) gives lobelia::lobelia, the static core library, its headers and the GLSL on the
+# same include path (#include "lobelia/taps.glsl"), and lobelia::shared, the same as a shared library. They
+# need the Vulkan headers alone. COMPONENTS host adds lobelia::host, which needs Vulkan's loader, OpenEXR and
+# libpng.
 include(CMakeFindDependencyMacro)
-find_dependency(Vulkan)
+find_path(Vulkan_INCLUDE_DIR vulkan/vulkan_core.h HINTS "$ENV{VULKAN_SDK}/include")
+if(NOT Vulkan_INCLUDE_DIR)
+    set(lobelia_FOUND FALSE)
+    set(lobelia_NOT_FOUND_MESSAGE "lobelia needs the Vulkan headers (Debian: libvulkan-dev)")
+    return()
+endif()
+foreach(component IN LISTS lobelia_FIND_COMPONENTS)
+    if(NOT component STREQUAL "host" OR NOT EXISTS ${CMAKE_CURRENT_LIST_DIR}/lobeliaHostTargets.cmake)
+        if(lobelia_FIND_REQUIRED_${component})
+            set(lobelia_FOUND FALSE)
+            set(lobelia_NOT_FOUND_MESSAGE "this lobelia has no component ${component}")
+            return()
+        endif()
+        continue()
+    endif()
+    find_dependency(Vulkan)
+    find_dependency(OpenEXR)
+    find_dependency(PNG)
+    set(lobelia_host_FOUND TRUE)
+endforeach()
+
 include(${CMAKE_CURRENT_LIST_DIR}/lobeliaTargets.cmake)
+foreach(library IN ITEMS lobelia::lobelia lobelia::shared)
+    if(TARGET ${library})
+        target_include_directories(${library} SYSTEM INTERFACE ${Vulkan_INCLUDE_DIR})
+    endif()
+endforeach()
+if(lobelia_host_FOUND)
+    include(${CMAKE_CURRENT_LIST_DIR}/lobeliaHostTargets.cmake)
+endif()

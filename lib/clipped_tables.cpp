@@ -56,17 +56,10 @@ struct ClippedTables::State {
     std::vector<std::uint16_t> halves;
 };
 
-ClippedTables::ClippedTables(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
-ClippedTables::ClippedTables(ClippedTables&&) noexcept = default;
-ClippedTables& ClippedTables::operator=(ClippedTables&&) noexcept = default;
-ClippedTables::~ClippedTables() = default;
-
 Result<ClippedTables> ClippedTables::create(const Device& device) {
-    return vk::guarded([&]() -> Result<ClippedTables> {
-        auto context = vk::load(device);
-        if (!context) return context.error();
-        auto state = std::make_unique<State>();
-        state->context = *context;
+    return vk::guarded<ClippedTables>([&] {
+        auto state = std::make_shared<State>();
+        state->context = vk::load(device);
         for (const auto& table : {make_clipped_table(), make_horizon_table()})
             for (const ClippedTexel& texel : table)
                 for (const float value : texel) state->halves.push_back(half_of(value));
@@ -77,6 +70,7 @@ Result<ClippedTables> ClippedTables::create(const Device& device) {
 void ClippedTables::record(VkCommandBuffer commands, VkBuffer buffer,
                            VkImage image) const noexcept {
     const vk::Context& context = state_->context;
+    const vk::Label label(context, commands, "lobelia clipped tables");
     context.call.vkCmdUpdateBuffer(commands, buffer, 0, BUFFER_BYTES, state_->halves.data());
     vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
                        VK_ACCESS_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT,

@@ -125,32 +125,22 @@ struct ExactJob::State {
     void record_step(VkCommandBuffer commands, std::uint32_t step) const noexcept;
 };
 
-Exact::Exact(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
-Exact::Exact(Exact&&) noexcept = default;
-Exact& Exact::operator=(Exact&&) noexcept = default;
-Exact::~Exact() = default;
-
 Result<Exact> Exact::create(const Device& device) {
-    return vk::guarded([&]() -> Result<Exact> {
-        auto context = vk::load(device);
-        if (!context) return context.error();
+    return vk::guarded<Exact>([&] {
         auto state = std::make_shared<State>();
-        state->context = *context;
-        auto sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
-        if (!sampler) return sampler.error();
-        state->sampler = std::move(*sampler);
+        state->context = vk::load(device);
+        state->sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
         for (std::uint32_t i = 0; i < 4 * ORDERS; ++i) {
             const std::uint32_t cube = i / ORDERS % 2;
             const std::uint32_t clipped = i / ORDERS / 2;
             const std::uint32_t order = i % ORDERS + 1;
             const std::uint32_t constants[] = {cube, order, clipped};
-            auto pass = vk::make_compute_pass(state->context, {.name = "exact",
-                                                               .spirv = SPIRV,
-                                                               .bindings = BINDINGS,
-                                                               .push_constant_size = sizeof(Params),
-                                                               .constants = constants});
-            if (!pass) return pass.error();
-            state->passes[cube][clipped][order - 1] = std::move(*pass);
+            state->passes[cube][clipped][order - 1] =
+                vk::make_compute_pass(state->context, {.name = "lobelia exact",
+                                                       .spirv = SPIRV,
+                                                       .bindings = BINDINGS,
+                                                       .push_constant_size = sizeof(Params),
+                                                       .constants = constants});
         }
         return Exact(std::move(state));
     });
@@ -193,60 +183,46 @@ struct Buffers {
     VkBuffer queries, results, tables;
 };
 
-Result<std::unique_ptr<ExactJob::State>>
-bind_source(const std::shared_ptr<const Exact::State>& shared, VkImage image, VkFormat format,
-            const ExactGrid& grid, const ExactSettings& settings, const Buffers& buffers) {
+ExactJob bind_source(const std::shared_ptr<const Exact::State>& shared, VkImage image,
+                     VkFormat format, const ExactGrid& grid, const ExactSettings& settings,
+                     const Buffers& buffers) {
     const vk::Context& context = shared->context;
     const vk::ComputePass& pass = shared->passes[grid.layers > 1][settings.clipped][grid.order - 1];
     auto view = vk::make_level_view(context, image, format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
-    if (!view) return view.error();
-    auto sets = vk::make_descriptor_sets(context, pass.interface.set_layout.get(), BINDINGS, 1);
-    if (!sets) return sets.error();
     const vk::Resource resources[] = {
-        vk::sampled_image(view->get(), shared->sampler.get()),
+        vk::sampled_image(view.get(), shared->sampler.get()),
         vk::buffer_range(buffers.queries),
         vk::buffer_range(buffers.results),
         vk::buffer_range(buffers.tables),
     };
-    vk::write_descriptor_set(context, sets->sets[0], BINDINGS, resources);
-    return std::unique_ptr<ExactJob::State>(
-        new ExactJob::State{shared, &pass, std::move(*view), std::move(*sets), buffers.tables,
-                            make_nodes(grid), schedule(grid, settings), settings.query_count,
-                            grid.rows * grid.layers, params_for(grid, settings)});
+    auto sets = vk::make_descriptor_set(context, pass.interface, BINDINGS, resources);
+    return ExactJob(std::make_shared<ExactJob::State>(
+        ExactJob::State{shared, &pass, std::move(view), std::move(sets), buffers.tables,
+                        make_nodes(grid), schedule(grid, settings), settings.query_count,
+                        grid.rows * grid.layers, params_for(grid, settings)}));
 }
 
 } // namespace
 
 Result<ExactJob> Exact::bind(const Panorama& source, const ExactSettings& settings,
                              VkBuffer queries, VkBuffer results, VkBuffer tables) const {
-    return vk::guarded([&]() -> Result<ExactJob> {
-        if (const char* rule = broken_rule(settings, source.width, source.height))
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT, rule};
-        auto state = bind_source(state_, source.image, source.format,
-                                 panorama_grid(source.width, source.height, settings.exponent),
-                                 settings, {queries, results, tables});
-        if (!state) return state.error();
-        return ExactJob(std::move(*state));
+    return vk::guarded<ExactJob>([&] {
+        vk::refuse(broken_rule(settings, source.width, source.height));
+        return bind_source(state_, source.image, source.format,
+                           panorama_grid(source.width, source.height, settings.exponent), settings,
+                           {queries, results, tables});
     });
 }
 
 Result<ExactJob> Exact::bind(const CubeMap& source, const ExactSettings& settings, VkBuffer queries,
                              VkBuffer results, VkBuffer tables) const {
-    return vk::guarded([&]() -> Result<ExactJob> {
-        if (const char* rule = broken_rule(settings, source.size, source.size))
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT, rule};
-        auto state = bind_source(state_, source.image, source.format,
-                                 cube_grid(source.size, settings.exponent), settings,
-                                 {queries, results, tables});
-        if (!state) return state.error();
-        return ExactJob(std::move(*state));
+    return vk::guarded<ExactJob>([&] {
+        vk::refuse(broken_rule(settings, source.size, source.size));
+        return bind_source(state_, source.image, source.format,
+                           cube_grid(source.size, settings.exponent), settings,
+                           {queries, results, tables});
     });
 }
-
-ExactJob::ExactJob(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
-ExactJob::ExactJob(ExactJob&&) noexcept = default;
-ExactJob& ExactJob::operator=(ExactJob&&) noexcept = default;
-ExactJob::~ExactJob() = default;
 
 std::uint32_t ExactJob::steps() const noexcept {
     return state_->cut.query_steps * state_->cut.row_steps;
@@ -289,6 +265,7 @@ void ExactJob::State::record_step(VkCommandBuffer commands, std::uint32_t step) 
 
 void ExactJob::record(VkCommandBuffer commands, std::uint32_t first,
                       std::uint32_t count) const noexcept {
+    const vk::Label label(state_->shared->context, commands, "lobelia exact");
     if (first == 0 && count > 0) state_->record_nodes(commands);
     for (std::uint32_t step = first; step < first + count; ++step)
         state_->record_step(commands, step);

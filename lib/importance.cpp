@@ -75,25 +75,15 @@ struct ImportanceJob::State {
     void record_step(VkCommandBuffer commands, std::uint32_t step) const noexcept;
 };
 
-Importance::Importance(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
-Importance::Importance(Importance&&) noexcept = default;
-Importance& Importance::operator=(Importance&&) noexcept = default;
-Importance::~Importance() = default;
-
 Result<Importance> Importance::create(const Device& device) {
-    return vk::guarded([&]() -> Result<Importance> {
-        auto context = vk::load(device);
-        if (!context) return context.error();
+    return vk::guarded<Importance>([&] {
         auto state = std::make_shared<State>();
-        state->context = *context;
-        auto sampler = vk::make_sampler(state->context, VK_FILTER_LINEAR);
-        if (!sampler) return sampler.error();
-        state->sampler = std::move(*sampler);
+        state->context = vk::load(device);
+        state->sampler = vk::make_sampler(state->context, VK_FILTER_LINEAR);
         for (int filtered = 0; filtered < 2; ++filtered) {
-            auto pass = vk::make_compute_pass(state->context, {"importance", SPIRV, BINDINGS,
-                                                               sizeof(Params), FILTERED[filtered]});
-            if (!pass) return pass.error();
-            state->passes[filtered] = std::move(*pass);
+            state->passes[filtered] =
+                vk::make_compute_pass(state->context, {"lobelia importance", SPIRV, BINDINGS,
+                                                       sizeof(Params), FILTERED[filtered]});
         }
         return Importance(std::move(state));
     });
@@ -101,33 +91,24 @@ Result<Importance> Importance::create(const Device& device) {
 
 Result<ImportanceJob> Importance::bind(const CubeMap& source, const ImportanceSettings& settings,
                                        VkBuffer directions, VkBuffer results) const {
-    return vk::guarded([&]() -> Result<ImportanceJob> {
-        if (const char* rule = broken_rule(source, settings))
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT, rule};
+    return vk::guarded<ImportanceJob>([&] {
+        vk::refuse(broken_rule(source, settings));
         const vk::Context& context = state_->context;
         auto view = vk::make_cube_view(context, source.image, source.format, source.levels);
-        if (!view) return view.error();
-        auto sets = vk::make_descriptor_sets(context, state_->passes[0].interface.set_layout.get(),
-                                             BINDINGS, 1);
-        if (!sets) return sets.error();
         const vk::Resource resources[] = {
-            vk::sampled_image(view->get(), state_->sampler.get()),
+            vk::sampled_image(view.get(), state_->sampler.get()),
             vk::buffer_range(directions),
             vk::buffer_range(results),
         };
-        vk::write_descriptor_set(context, sets->sets[0], BINDINGS, resources);
+        auto sets =
+            vk::make_descriptor_set(context, state_->passes[0].interface, BINDINGS, resources);
         const auto queries = std::uint32_t(
             std::clamp<std::uint64_t>(settings.samples_per_step / std::min(settings.samples, BATCH),
                                       1, std::uint64_t(MOST_GROUPS) * GROUP_SIZE));
-        return ImportanceJob(std::unique_ptr<ImportanceJob::State>(new ImportanceJob::State{
-            state_, std::move(*view), std::move(*sets), settings, source.size, queries}));
+        return ImportanceJob(std::make_shared<ImportanceJob::State>(ImportanceJob::State{
+            state_, std::move(view), std::move(sets), settings, source.size, queries}));
     });
 }
-
-ImportanceJob::ImportanceJob(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
-ImportanceJob::ImportanceJob(ImportanceJob&&) noexcept = default;
-ImportanceJob& ImportanceJob::operator=(ImportanceJob&&) noexcept = default;
-ImportanceJob::~ImportanceJob() = default;
 
 std::uint32_t ImportanceJob::steps() const noexcept {
     const ImportanceSettings& settings = state_->settings;
@@ -159,6 +140,7 @@ void ImportanceJob::State::record_step(VkCommandBuffer commands,
 
 void ImportanceJob::record(VkCommandBuffer commands, std::uint32_t first,
                            std::uint32_t count) const noexcept {
+    const vk::Label label(state_->shared->context, commands, "lobelia importance");
     for (std::uint32_t step = first; step < first + count; ++step)
         state_->record_step(commands, step);
 }

@@ -34,11 +34,11 @@ struct SumParams { // as in irradiance_sum.comp
     std::uint32_t last;
 };
 
-constexpr vk::ComputePassDescription ROWS = {.name = "irradiance rows",
+constexpr vk::ComputePassDescription ROWS = {.name = "lobelia irradiance rows",
                                              .spirv = ROWS_SPIRV,
                                              .bindings = ROWS_BINDINGS,
                                              .push_constant_size = sizeof(RowsParams)};
-constexpr vk::ComputePassDescription SUM = {.name = "irradiance sum",
+constexpr vk::ComputePassDescription SUM = {.name = "lobelia irradiance sum",
                                             .spirv = SUM_SPIRV,
                                             .bindings = SUM_BINDINGS,
                                             .push_constant_size = sizeof(SumParams)};
@@ -84,11 +84,6 @@ struct IrradianceJob::State {
     std::uint32_t size;
 };
 
-Irradiance::Irradiance(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
-Irradiance::Irradiance(Irradiance&&) noexcept = default;
-Irradiance& Irradiance::operator=(Irradiance&&) noexcept = default;
-Irradiance::~Irradiance() = default;
-
 // The rows of all faces, and then the faces.
 VkDeviceSize Irradiance::scratch_size(const CubeMap& source) noexcept {
     if (!is_valid(source.size)) return 0;
@@ -97,58 +92,39 @@ VkDeviceSize Irradiance::scratch_size(const CubeMap& source) noexcept {
 }
 
 Result<Irradiance> Irradiance::create(const Device& device) {
-    return vk::guarded([&]() -> Result<Irradiance> {
-        auto context = vk::load(device);
-        if (!context) return context.error();
+    return vk::guarded<Irradiance>([&] {
         auto state = std::make_shared<State>();
-        state->context = *context;
-        auto sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
-        if (!sampler) return sampler.error();
-        state->sampler = std::move(*sampler);
-        auto rows = vk::make_compute_pass(state->context, ROWS);
-        if (!rows) return rows.error();
-        state->rows = std::move(*rows);
-        auto sum = vk::make_compute_pass(state->context, SUM);
-        if (!sum) return sum.error();
-        state->sum = std::move(*sum);
+        state->context = vk::load(device);
+        state->sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
+        state->rows = vk::make_compute_pass(state->context, ROWS);
+        state->sum = vk::make_compute_pass(state->context, SUM);
         return Irradiance(std::move(state));
     });
 }
 
 Result<IrradianceJob> Irradiance::bind(const CubeMap& source, VkBuffer scratch,
                                        VkBuffer coefficients) const {
-    return vk::guarded([&]() -> Result<IrradianceJob> {
+    return vk::guarded<IrradianceJob>([&] {
         if (!is_valid(source.size))
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "irradiance is made of a cube map of 1 to 16384 texels"};
+            vk::refuse("irradiance is made of a cube map of 1 to 16384 texels");
         const vk::Context& context = state_->context;
         auto view =
             vk::make_level_view(context, source.image, source.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
-        if (!view) return view.error();
-        auto rows_set = vk::make_descriptor_sets(context, state_->rows.interface.set_layout.get(),
-                                                 ROWS_BINDINGS, 1);
-        if (!rows_set) return rows_set.error();
-        auto sum_set = vk::make_descriptor_sets(context, state_->sum.interface.set_layout.get(),
-                                                SUM_BINDINGS, 1);
-        if (!sum_set) return sum_set.error();
-        const vk::Resource rows[] = {vk::sampled_image(view->get(), state_->sampler.get()),
+        const vk::Resource rows[] = {vk::sampled_image(view.get(), state_->sampler.get()),
                                      vk::buffer_range(scratch)};
-        vk::write_descriptor_set(context, rows_set->sets[0], ROWS_BINDINGS, rows);
         const vk::Resource sum[] = {vk::buffer_range(scratch), vk::buffer_range(coefficients)};
-        vk::write_descriptor_set(context, sum_set->sets[0], SUM_BINDINGS, sum);
-        return IrradianceJob(std::unique_ptr<IrradianceJob::State>(new IrradianceJob::State{
-            state_, std::move(*view), std::move(*rows_set), std::move(*sum_set), source.size}));
+        auto rows_set =
+            vk::make_descriptor_set(context, state_->rows.interface, ROWS_BINDINGS, rows);
+        auto sum_set = vk::make_descriptor_set(context, state_->sum.interface, SUM_BINDINGS, sum);
+        return IrradianceJob(std::make_shared<IrradianceJob::State>(IrradianceJob::State{
+            state_, std::move(view), std::move(rows_set), std::move(sum_set), source.size}));
     });
 }
-
-IrradianceJob::IrradianceJob(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
-IrradianceJob::IrradianceJob(IrradianceJob&&) noexcept = default;
-IrradianceJob& IrradianceJob::operator=(IrradianceJob&&) noexcept = default;
-IrradianceJob::~IrradianceJob() = default;
 
 void IrradianceJob::record(VkCommandBuffer commands) const noexcept {
     const Irradiance::State& shared = *state_->shared;
     const vk::Context& context = shared.context;
+    const vk::Label label(context, commands, "lobelia irradiance");
     const std::uint32_t shift = part_shift(state_->size);
     const std::uint32_t size = state_->size << shift;
     // What read the buffers before must have ended.

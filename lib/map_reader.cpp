@@ -44,56 +44,39 @@ struct MapReaderJob::State {
     MapReader::Request request;
 };
 
-MapReader::MapReader(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
-MapReader::MapReader(MapReader&&) noexcept = default;
-MapReader& MapReader::operator=(MapReader&&) noexcept = default;
-MapReader::~MapReader() = default;
-
 Result<MapReader> MapReader::create(const Device& device) {
-    return vk::guarded([&]() -> Result<MapReader> {
-        auto context = vk::load(device);
-        if (!context) return context.error();
+    return vk::guarded<MapReader>([&] {
         auto state = std::make_shared<State>();
-        state->context = *context;
-        auto sampler = vk::make_sampler(state->context, VK_FILTER_LINEAR);
-        if (!sampler) return sampler.error();
-        state->sampler = std::move(*sampler);
+        state->context = vk::load(device);
+        state->sampler = vk::make_sampler(state->context, VK_FILTER_LINEAR);
         for (int filter = 0; filter < 2; ++filter) {
-            auto pass = vk::make_compute_pass(
-                state->context, {"map reader", SPIRV, BINDINGS, sizeof(Params), FILTERS[filter]});
-            if (!pass) return pass.error();
-            state->passes[filter] = std::move(*pass);
+            state->passes[filter] =
+                vk::make_compute_pass(state->context, {"lobelia map reader", SPIRV, BINDINGS,
+                                                       sizeof(Params), FILTERS[filter]});
         }
         return MapReader(std::move(state));
     });
 }
 
 Result<MapReaderJob> MapReader::bind(const Request& request) const {
-    return vk::guarded([&]() -> Result<MapReaderJob> {
-        if (request.count == 0)
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT, "the list of directions is empty"};
-        auto sets = vk::make_descriptor_sets(
-            state_->context, state_->passes[0].interface.set_layout.get(), BINDINGS, 1);
-        if (!sets) return sets.error();
+    return vk::guarded<MapReaderJob>([&] {
+        if (request.count == 0) vk::refuse("the list of directions is empty");
         const vk::Resource resources[] = {
             vk::sampled_image(request.view, state_->sampler.get()),
             vk::buffer_range(request.state),
             vk::buffer_range(request.directions),
             vk::buffer_range(request.results),
         };
-        vk::write_descriptor_set(state_->context, sets->sets[0], BINDINGS, resources);
-        return MapReaderJob(std::unique_ptr<MapReaderJob::State>(
-            new MapReaderJob::State{state_, std::move(*sets), request}));
+        auto sets = vk::make_descriptor_set(state_->context, state_->passes[0].interface, BINDINGS,
+                                            resources);
+        return MapReaderJob(std::make_shared<MapReaderJob::State>(
+            MapReaderJob::State{state_, std::move(sets), request}));
     });
 }
 
-MapReaderJob::MapReaderJob(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
-MapReaderJob::MapReaderJob(MapReaderJob&&) noexcept = default;
-MapReaderJob& MapReaderJob::operator=(MapReaderJob&&) noexcept = default;
-MapReaderJob::~MapReaderJob() = default;
-
 void MapReaderJob::record(VkCommandBuffer commands) const noexcept {
     const vk::Context& context = state_->shared->context;
+    const vk::Label label(context, commands, "lobelia map reader");
     const MapReader::Request& request = state_->request;
     const vk::ComputePass& pass = state_->shared->passes[std::size_t(request.map.filter)];
     for (std::uint32_t first = 0; first < request.count; first += MOST_GROUPS * GROUP_SIZE) {

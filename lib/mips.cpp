@@ -28,8 +28,10 @@ struct Params { // as in mips.glsl
 };
 
 constexpr vk::ComputePassDescription describe(std::span<const std::uint32_t> spirv) {
-    return {
-        .name = "mips", .spirv = spirv, .bindings = BINDINGS, .push_constant_size = sizeof(Params)};
+    return {.name = "lobelia mips",
+            .spirv = spirv,
+            .bindings = BINDINGS,
+            .push_constant_size = sizeof(Params)};
 }
 
 constexpr std::uint32_t GROUP_SIZE = 8; // local_size_x and _y in mips.glsl
@@ -65,72 +67,49 @@ struct MipsJob::State {
     MipWeights weights;
 };
 
-Mips::Mips(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
-Mips::Mips(Mips&&) noexcept = default;
-Mips& Mips::operator=(Mips&&) noexcept = default;
-Mips::~Mips() = default;
-
 Result<Mips> Mips::create(const Device& device) {
-    return vk::guarded([&]() -> Result<Mips> {
-        auto context = vk::load(device);
-        if (!context) return context.error();
+    return vk::guarded<Mips>([&] {
         auto state = std::make_shared<State>();
-        state->context = *context;
-        auto sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
-        if (!sampler) return sampler.error();
-        state->sampler = std::move(*sampler);
-        auto whole = vk::make_compute_pass(state->context, describe(SPIRV));
-        if (!whole) return whole.error();
-        state->whole = std::move(*whole);
-        auto half = vk::make_compute_pass(state->context, describe(HALF_SPIRV));
-        if (!half) return half.error();
-        state->half = std::move(*half);
+        state->context = vk::load(device);
+        state->sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
+        state->whole = vk::make_compute_pass(state->context, describe(SPIRV));
+        state->half = vk::make_compute_pass(state->context, describe(HALF_SPIRV));
         return Mips(std::move(state));
     });
 }
 
 Result<MipsJob> Mips::bind(const CubeMap& source, const CubeMap& target, MipWeights weights) const {
-    return vk::guarded([&]() -> Result<MipsJob> {
-        if (const char* rule = broken_rule(source, target))
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT, rule};
+    return vk::guarded<MipsJob>([&] {
+        vk::refuse(broken_rule(source, target));
         const vk::Context& context = state_->context;
-        auto job = std::make_unique<MipsJob::State>();
+        auto job = std::make_shared<MipsJob::State>();
         job->shared = state_;
         job->pass = target.format == VK_FORMAT_R16G16B16A16_SFLOAT ? &state_->half : &state_->whole;
         job->target = target;
         job->weights = weights;
-        auto source_view =
+        job->source_view =
             vk::make_level_view(context, source.image, source.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
-        if (!source_view) return source_view.error();
-        job->source_view = std::move(*source_view);
-        auto sets = vk::make_descriptor_sets(context, job->pass->interface.set_layout.get(),
-                                             BINDINGS, target.levels);
-        if (!sets) return sets.error();
-        job->sets = std::move(*sets);
+        job->sets =
+            vk::make_descriptor_sets(context, job->pass->interface, BINDINGS, target.levels);
         for (std::uint32_t level = 0; level < target.levels; ++level) {
             auto view = vk::make_level_view(context, target.image, target.format,
                                             VK_IMAGE_VIEW_TYPE_2D_ARRAY, level);
-            if (!view) return view.error();
             const VkImageView before =
                 level == 0 ? job->source_view.get() : job->target_views.back().get();
             const vk::Resource resources[] = {
                 vk::sampled_image(before, state_->sampler.get()),
-                vk::storage_image(view->get()),
+                vk::storage_image(view.get()),
             };
             vk::write_descriptor_set(context, job->sets.sets[level], BINDINGS, resources);
-            job->target_views.push_back(std::move(*view));
+            job->target_views.push_back(std::move(view));
         }
         return MipsJob(std::move(job));
     });
 }
 
-MipsJob::MipsJob(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
-MipsJob::MipsJob(MipsJob&&) noexcept = default;
-MipsJob& MipsJob::operator=(MipsJob&&) noexcept = default;
-MipsJob::~MipsJob() = default;
-
 void MipsJob::record(VkCommandBuffer commands) const noexcept {
     const vk::Context& context = state_->shared->context;
+    const vk::Label label(context, commands, "lobelia mips");
     const CubeMap& target = state_->target;
     vk::image_barrier(context, commands, target.image, vk::DISCARDED, vk::STORED, 0, target.levels);
     for (std::uint32_t level = 0; level < target.levels; ++level) {

@@ -28,7 +28,7 @@ constexpr std::uint32_t ALONE[] = {1};
 constexpr std::uint32_t TOGETHER[] = {GROUP_SIZE};
 
 constexpr vk::ComputePassDescription describe(std::span<const std::uint32_t> team) {
-    return {.name = "panorama to cube",
+    return {.name = "lobelia panorama to cube",
             .spirv = SPIRV,
             .bindings = BINDINGS,
             .push_constant_size = sizeof(Params),
@@ -69,81 +69,54 @@ struct PanoramaToCubeJob::State {
     bool together;
 };
 
-PanoramaToCube::PanoramaToCube(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
-PanoramaToCube::PanoramaToCube(PanoramaToCube&&) noexcept = default;
-PanoramaToCube& PanoramaToCube::operator=(PanoramaToCube&&) noexcept = default;
-PanoramaToCube::~PanoramaToCube() = default;
-
 Result<PanoramaToCube> PanoramaToCube::create(const Device& device) {
-    return vk::guarded([&]() -> Result<PanoramaToCube> {
-        auto context = vk::load(device);
-        if (!context) return context.error();
+    return vk::guarded<PanoramaToCube>([&] {
         auto state = std::make_shared<State>();
-        state->context = *context;
-        auto sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
-        if (!sampler) return sampler.error();
-        state->sampler = std::move(*sampler);
-        auto alone = vk::make_compute_pass(state->context, describe(ALONE));
-        if (!alone) return alone.error();
-        state->alone = std::move(*alone);
-        auto together = vk::make_compute_pass(state->context, describe(TOGETHER));
-        if (!together) return together.error();
-        state->together = std::move(*together);
+        state->context = vk::load(device);
+        state->sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
+        state->alone = vk::make_compute_pass(state->context, describe(ALONE));
+        state->together = vk::make_compute_pass(state->context, describe(TOGETHER));
         return PanoramaToCube(std::move(state));
     });
 }
 
 Result<PanoramaToCubeJob> PanoramaToCube::bind(const Panorama& source,
                                                const CubeMap& target) const {
-    return vk::guarded([&]() -> Result<PanoramaToCubeJob> {
+    return vk::guarded<PanoramaToCubeJob>([&] {
         if (source.width < 1 || source.height < 1 || source.width > LARGEST_SIDE ||
             source.height > LARGEST_SIDE)
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "a panorama's sides are 1 to 32768 texels"};
+            vk::refuse("a panorama's sides are 1 to 32768 texels");
         if (target.format != VK_FORMAT_R32G32B32A32_SFLOAT || target.size < 1)
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "the cube map to fill has format R32G32B32A32_SFLOAT and a size"};
+            vk::refuse("the cube map to fill has format R32G32B32A32_SFLOAT and a size");
         const std::uint32_t repeat = (LEAST_COLUMNS + source.width - 1) / source.width;
         const Params params{source.width, source.height, target.size, source.width * repeat};
         const std::uint64_t iterations =
             most_iterations(params.columns, params.height, params.size);
         if (iterations > ITERATIONS_PER_INVOCATION * GROUP_SIZE)
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "the cube map's face is too small for so large a panorama"};
+            vk::refuse("the cube map's face is too small for so large a panorama");
 
         const vk::Context& context = state_->context;
         auto source_view =
             vk::make_level_view(context, source.image, source.format, VK_IMAGE_VIEW_TYPE_2D);
-        if (!source_view) return source_view.error();
         auto target_view =
             vk::make_level_view(context, target.image, target.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
-        if (!target_view) return target_view.error();
-        auto sets = vk::make_descriptor_sets(context, state_->alone.interface.set_layout.get(),
-                                             BINDINGS, 1);
-        if (!sets) return sets.error();
         const vk::Resource resources[] = {
-            vk::sampled_image(source_view->get(), state_->sampler.get()),
-            vk::storage_image(target_view->get()),
+            vk::sampled_image(source_view.get(), state_->sampler.get()),
+            vk::storage_image(target_view.get()),
         };
-        vk::write_descriptor_set(context, sets->sets[0], BINDINGS, resources);
-
-        return PanoramaToCubeJob(std::unique_ptr<PanoramaToCubeJob::State>(
-            new PanoramaToCubeJob::State{state_, std::move(*source_view), std::move(*target_view),
-                                         std::move(*sets), target.image, params,
-                                         iterations > ITERATIONS_PER_INVOCATION}));
+        auto sets = vk::make_descriptor_set(context, state_->alone.interface, BINDINGS, resources);
+        return PanoramaToCubeJob(std::make_shared<PanoramaToCubeJob::State>(
+            PanoramaToCubeJob::State{state_, std::move(source_view), std::move(target_view),
+                                     std::move(sets), target.image, params,
+                                     iterations > ITERATIONS_PER_INVOCATION}));
     });
 }
-
-PanoramaToCubeJob::PanoramaToCubeJob(std::unique_ptr<State> state) noexcept
-    : state_(std::move(state)) {}
-PanoramaToCubeJob::PanoramaToCubeJob(PanoramaToCubeJob&&) noexcept = default;
-PanoramaToCubeJob& PanoramaToCubeJob::operator=(PanoramaToCubeJob&&) noexcept = default;
-PanoramaToCubeJob::~PanoramaToCubeJob() = default;
 
 void PanoramaToCubeJob::record(VkCommandBuffer commands) const noexcept {
     const vk::Context& context = state_->shared->context;
     const vk::ComputePass& pass =
         state_->together ? state_->shared->together : state_->shared->alone;
+    const vk::Label label(context, commands, "lobelia panorama to cube");
     const std::uint32_t size = state_->params.size;
     const std::uint32_t groups = state_->together ? size : (size + GROUP_SIZE - 1) / GROUP_SIZE;
     vk::image_barrier(context, commands, state_->target, vk::DISCARDED, vk::STORED);

@@ -38,11 +38,10 @@ struct PrefilterJob::State {
         return vk::buffer_range(scratch, level(index).offset, level(index).bytes());
     }
 
-    Result<Done> bind(const CubeMap& from, std::span<const CubeMap> to, VkImage ladder);
+    void bind(const CubeMap& from, std::span<const CubeMap> to, VkImage ladder);
     const vk::ComputePass& pipeline(const PlannedPass& planned) const {
         return shared->pipeline(planned, plan.state().map_format == VK_FORMAT_R32G32B32A32_SFLOAT);
     }
-    Result<Done> bind_pass(const PlannedPass& planned);
     std::vector<vk::Resource> resources(const PlannedPass& planned) const;
 
     void begin(VkCommandBuffer commands) const noexcept;
@@ -54,43 +53,34 @@ struct PrefilterJob::State {
 Result<PrefilterJob> Prefilter::bind(const PrefilterPlan& plan, const CubeMap& source,
                                      std::span<const CubeMap> maps, VkBuffer scratch,
                                      VkBuffer state, VkImage ladder) const {
-    return vk::guarded([&]() -> Result<PrefilterJob> {
+    return vk::guarded<PrefilterJob>([&] {
         if (source.size != plan.state().source_size || maps.size() != plan.maps().size())
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "the source and the maps are those of the plan"};
+            vk::refuse("the source and the maps are those of the plan");
         for (std::size_t i = 0; i < maps.size(); ++i)
             if (maps[i].size != plan.maps()[i].size || maps[i].format != plan.state().map_format)
-                return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                             "a map has the plan's size and format"};
+                vk::refuse("a map has the plan's size and format");
+        if (source.format == VK_FORMAT_R16G16B16A16_SFLOAT)
+            vk::warn(state_->context, "a source of 16-bit halves cuts suns off at 65504");
         if ((ladder != VK_NULL_HANDLE) != (plan.ladder().rungs > 0))
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "a ladder's image is there where the plan has a ladder"};
-        auto job = std::unique_ptr<PrefilterJob::State>(
-            new PrefilterJob::State{state_, plan, {}, {}, {}, {}, {}, scratch, state});
-        if (auto bound = job->bind(source, maps, ladder); !bound) return bound.error();
+            vk::refuse("a ladder's image is there where the plan has a ladder");
+        auto job = std::make_shared<PrefilterJob::State>(
+            PrefilterJob::State{state_, plan, {}, {}, {}, {}, {}, scratch, state});
+        job->bind(source, maps, ladder);
         return PrefilterJob(std::move(job));
     });
 }
 
-Result<Done> PrefilterJob::State::bind(const CubeMap& from, std::span<const CubeMap> to,
-                                       VkImage ladder) {
+void PrefilterJob::State::bind(const CubeMap& from, std::span<const CubeMap> to, VkImage ladder) {
     const vk::Context& context = shared->context;
-    auto view = vk::make_level_view(context, from.image, from.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
-    if (!view) return view.error();
-    source = std::move(*view);
+    source = vk::make_level_view(context, from.image, from.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
     for (const CubeMap& map : to) {
-        auto map_view =
-            vk::make_level_view(context, map.image, map.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
-        if (!map_view) return map_view.error();
-        maps.push_back(std::move(*map_view));
+        maps.push_back(
+            vk::make_level_view(context, map.image, map.format, VK_IMAGE_VIEW_TYPE_2D_ARRAY));
         map_images.push_back(map.image);
     }
-    for (std::uint32_t rung = 0; rung < plan.ladder().rungs; ++rung) {
-        auto rung_view =
-            vk::make_layers_view(context, ladder, plan.state().map_format, FACES * rung, FACES);
-        if (!rung_view) return rung_view.error();
-        maps.push_back(std::move(*rung_view));
-    }
+    for (std::uint32_t rung = 0; rung < plan.ladder().rungs; ++rung)
+        maps.push_back(
+            vk::make_layers_view(context, ladder, plan.state().map_format, FACES * rung, FACES));
     if (ladder) map_images.push_back(ladder);
     for (const ChainLevel& level : plan.state().levels) {
         const VkBufferViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
@@ -98,25 +88,13 @@ Result<Done> PrefilterJob::State::bind(const CubeMap& from, std::span<const Cube
                                           .format = VK_FORMAT_R32G32B32A32_UINT,
                                           .offset = level.offset,
                                           .range = level.bytes()};
-        auto level_view = vk::make<vk::BufferView>(context, context.call.vkCreateBufferView, info,
-                                                   "create buffer view");
-        if (!level_view) return level_view.error();
-        levels.push_back(std::move(*level_view));
+        levels.push_back(vk::make<vk::BufferView>(context, context.call.vkCreateBufferView, info,
+                                                  "create buffer view"));
     }
     for (const PlannedPass& planned : plan.state().passes)
-        if (auto bound = bind_pass(planned); !bound) return bound.error();
-    return Done{};
-}
-
-Result<Done> PrefilterJob::State::bind_pass(const PlannedPass& planned) {
-    const vk::ComputePass& pass = pipeline(planned);
-    auto made = vk::make_descriptor_sets(shared->context, pass.interface.set_layout.get(),
-                                         prefilter_bindings(planned.kind), 1);
-    if (!made) return made.error();
-    vk::write_descriptor_set(shared->context, made->sets[0], prefilter_bindings(planned.kind),
-                             resources(planned));
-    sets.push_back(std::move(*made));
-    return Done{};
+        sets.push_back(vk::make_descriptor_set(context, pipeline(planned).interface,
+                                               prefilter_bindings(planned.kind),
+                                               resources(planned)));
 }
 
 // A binding that a pass has no use for repeats another of its kind: every binding must be valid.
@@ -148,11 +126,6 @@ std::vector<vk::Resource> PrefilterJob::State::resources(const PlannedPass& plan
     }
     return {texels(), map(0), map(1), map(2), map(3)};
 }
-
-PrefilterJob::PrefilterJob(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
-PrefilterJob::PrefilterJob(PrefilterJob&&) noexcept = default;
-PrefilterJob& PrefilterJob::operator=(PrefilterJob&&) noexcept = default;
-PrefilterJob::~PrefilterJob() = default;
 
 void PrefilterJob::State::begin(VkCommandBuffer commands) const noexcept {
     const vk::Context& context = shared->context;
@@ -193,6 +166,7 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
     const vk::Context& context = shared->context;
     const PlannedPass& planned = pass(index);
     const vk::ComputePass& compute = pipeline(planned);
+    const vk::Label label(context, commands, compute.name);
     const VkDescriptorSet set = sets[index].sets[0];
     const auto dispatch = [&](const auto& params, std::uint32_t across, std::uint32_t layers) {
         vk::begin_pass(context, commands, compute, set, params);
@@ -283,15 +257,25 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
                            VK_ACCESS_UNIFORM_READ_BIT);
 }
 
-void PrefilterJob::record(VkCommandBuffer commands, std::uint32_t first,
-                          std::uint32_t count) const noexcept {
+void PrefilterJob::record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count,
+                          const PassTimestamps& timestamps) const noexcept {
     if (count == 0) return;
+    const vk::Context& context = state_->shared->context;
+    const auto stamp = [&](VkPipelineStageFlagBits stage, std::uint32_t query) {
+        if (timestamps.pool)
+            context.call.vkCmdWriteTimestamp(commands, stage, timestamps.pool,
+                                             timestamps.first + query);
+    };
+    const vk::Label label(context, commands, "lobelia prefilter");
     const bool from_levels = first == state_->plan.first_map_pass();
     if (first == 0 || from_levels) state_->begin(commands);
     if (from_levels && state_->plan.state().levels_up_to > 0 && state_->plan.ladder().rungs)
         state_->tell_ladder(commands);
-    for (std::uint32_t index = first; index < first + count; ++index)
+    for (std::uint32_t index = first; index < first + count; ++index) {
+        stamp(VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, 2 * index);
         state_->record_pass(commands, index);
+        stamp(VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, 2 * index + 1);
+    }
     if (first + count == state_->plan.pass_count()) state_->end(commands);
 }
 

@@ -80,39 +80,43 @@ PassKind describe(PlannedPass::Kind kind) {
     using Kind = PlannedPass::Kind;
     switch (kind) {
     case Kind::statistics:
-        return {"statistics", STATISTICS_BINDINGS, sizeof(StatisticsParams), {{STATISTICS_SPIRV}}};
-    case Kind::suns: return {"suns", SUNS_BINDINGS, sizeof(SunsParams), {{SUNS_SPIRV}}};
+        return {"lobelia statistics",
+                STATISTICS_BINDINGS,
+                sizeof(StatisticsParams),
+                {{STATISTICS_SPIRV}}};
+    case Kind::suns: return {"lobelia suns", SUNS_BINDINGS, sizeof(SunsParams), {{SUNS_SPIRV}}};
     case Kind::prepare: // AT_SUNS, ONE_TEXEL
-        return {"prepare",
+        return {"lobelia prepare",
                 PREPARE_BINDINGS,
                 sizeof(PrepareParams),
                 {{PREPARE_SPIRV, {0, 0}}, {PREPARE_SPIRV, {0, 1}}}};
     case Kind::suns_out:
-        return {"suns out",
+        return {"lobelia suns out",
                 PREPARE_BINDINGS,
                 sizeof(PrepareParams),
                 {{PREPARE_SPIRV, {1, 0}}, {PREPARE_SPIRV, {1, 1}}}};
     case Kind::margins:
-        return {"margins", MARGINS_BINDINGS, sizeof(MarginsParams), {{MARGINS_SPIRV}}};
-    case Kind::halve: return {"halve", HALVE_BINDINGS, sizeof(HalveParams), {{HALVE_SPIRV}}};
+        return {"lobelia margins", MARGINS_BINDINGS, sizeof(MarginsParams), {{MARGINS_SPIRV}}};
+    case Kind::halve:
+        return {"lobelia halve", HALVE_BINDINGS, sizeof(HalveParams), {{HALVE_SPIRV}}};
     case Kind::blur_level: // TO_IMAGE
-        return {"blur level", BLUR_BINDINGS, sizeof(BlurParams), {{BLUR_SPIRV, {0}}}};
+        return {"lobelia blur level", BLUR_BINDINGS, sizeof(BlurParams), {{BLUR_SPIRV, {0}}}};
     case Kind::blur_map:
-        return {"blur map",
+        return {"lobelia blur map",
                 BLUR_BINDINGS,
                 sizeof(BlurParams),
                 {{BLUR_SPIRV, {1}}, {BLUR_FLOAT_SPIRV, {1}}}};
     case Kind::project:
-        return {"project", PROJECT_BINDINGS, sizeof(ProjectParams), {{PROJECT_SPIRV}}};
-    case Kind::sum: return {"sum", SUM_BINDINGS, sizeof(SumParams), {{SUM_SPIRV}}};
+        return {"lobelia project", PROJECT_BINDINGS, sizeof(ProjectParams), {{PROJECT_SPIRV}}};
+    case Kind::sum: return {"lobelia sum", SUM_BINDINGS, sizeof(SumParams), {{SUM_SPIRV}}};
     case Kind::expand:
-        return {"expand",
+        return {"lobelia expand",
                 EXPAND_BINDINGS,
                 sizeof(ExpandParams),
                 {{EXPAND_SPIRV}, {EXPAND_FLOAT_SPIRV}}};
     case Kind::broad: break;
     }
-    PassKind broad{"broad", BROAD_BINDINGS, sizeof(BroadParams), {}};
+    PassKind broad{"lobelia broad", BROAD_BINDINGS, sizeof(BroadParams), {}};
     const std::span<const std::uint32_t> formats[] = {BROAD_SPIRV, BROAD_FLOAT_SPIRV};
     for (const auto& spirv : formats)
         for (std::uint32_t maps = 1; maps <= BROAD_MAPS; ++maps)
@@ -122,29 +126,18 @@ PassKind describe(PlannedPass::Kind kind) {
 
 } // namespace
 
-Prefilter::Prefilter(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
-Prefilter::Prefilter(Prefilter&&) noexcept = default;
-Prefilter& Prefilter::operator=(Prefilter&&) noexcept = default;
-Prefilter::~Prefilter() = default;
-
 Result<Prefilter> Prefilter::create(const Device& device) {
-    return vk::guarded([&]() -> Result<Prefilter> {
-        auto context = vk::load(device);
-        if (!context) return context.error();
+    return vk::guarded<Prefilter>([&] {
         auto state = std::make_shared<State>();
-        state->context = *context;
-        auto sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
-        if (!sampler) return sampler.error();
-        state->sampler = std::move(*sampler);
+        state->context = vk::load(device);
+        state->sampler = vk::make_sampler(state->context, VK_FILTER_NEAREST);
 
         for (std::size_t kind = 0; kind < PASS_KINDS; ++kind) {
             const PassKind made = describe(PlannedPass::Kind(kind));
             for (const Variant& variant : made.variants) {
-                auto pass = vk::make_compute_pass(state->context,
-                                                  {made.name, variant.spirv, made.bindings,
-                                                   made.push_constant_size, variant.constants});
-                if (!pass) return pass.error();
-                state->passes[kind].push_back(std::move(*pass));
+                state->passes[kind].push_back(vk::make_compute_pass(
+                    state->context, {made.name, variant.spirv, made.bindings,
+                                     made.push_constant_size, variant.constants}));
             }
         }
         return Prefilter(std::move(state));

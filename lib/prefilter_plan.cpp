@@ -29,37 +29,31 @@ float exponent_at(const Ladder& ladder, std::uint32_t rung) noexcept {
 }
 
 Result<PrefilterPlan> PrefilterPlan::make(const PrefilterRequest& request) {
-    return vk::guarded([&]() -> Result<PrefilterPlan> {
+    return vk::guarded<PrefilterPlan>([&] {
         const std::uint32_t size = request.source_size;
         if (size < 16 || size > 1024 || (size & (size - 1)))
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "the source's faces are a power of two from 16 to 1024"};
+            vk::refuse("the source's faces are a power of two from 16 to 1024");
         const Ladder& ladder = request.ladder;
         if (ladder.rungs == 1 ||
             (ladder.rungs &&
              !(ladder.lowest >= 1 && exponent_at(ladder, ladder.rungs - 1) <= LARGEST_LADDER)))
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "a ladder has at least two rungs, from exponent 1 to 4e6"};
+            vk::refuse("a ladder has at least two rungs, from exponent 1 to 4e6");
         if (request.map_format != VK_FORMAT_R16G16B16A16_SFLOAT &&
             request.map_format != VK_FORMAT_R32G32B32A32_SFLOAT)
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "maps have format R16G16B16A16_SFLOAT or R32G32B32A32_SFLOAT"};
+            vk::refuse("maps have format R16G16B16A16_SFLOAT or R32G32B32A32_SFLOAT");
         if (request.exponents.empty() && !request.lambert && !ladder.rungs)
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT, "a prefilter makes at least one map"};
+            vk::refuse("a prefilter makes at least one map");
         for (const float exponent : request.exponents)
             if (!(exponent >= 0 && exponent <= LARGEST_EXPONENT))
-                return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                             "an exponent is a number from 0 to 1e6"};
+                vk::refuse("an exponent is a number from 0 to 1e6");
         const float kept = request.levels_up_to;
         if (!(kept >= 0 && kept <= LARGEST_LADDER))
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT, "levels_up_to is a number from 0 to 4e6"};
+            vk::refuse("levels_up_to is a number from 0 to 4e6");
         auto state = std::make_shared<State>();
         plan_passes(request, *state);
         if (kept > 0)
             for (const PrefilteredMap& map : state->maps)
-                if (map.exponent > kept)
-                    return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                                 "no map or rung is sharper than levels_up_to"};
+                if (map.exponent > kept) vk::refuse("no map or rung is sharper than levels_up_to");
         return PrefilterPlan(std::move(state));
     });
 }

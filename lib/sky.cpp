@@ -21,7 +21,7 @@ struct Params { // as in sky.comp
 };
 
 constexpr vk::ComputePassDescription PASS = {
-    .name = "sky",
+    .name = "lobelia sky",
     .spirv = SPIRV,
     .bindings = BINDINGS,
     .push_constant_size = sizeof(Params),
@@ -42,46 +42,30 @@ struct SkyJob::State {
     SkyTarget target;
 };
 
-Sky::Sky(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
-Sky::Sky(Sky&&) noexcept = default;
-Sky& Sky::operator=(Sky&&) noexcept = default;
-Sky::~Sky() = default;
-
 Result<Sky> Sky::create(const Device& device) {
-    return vk::guarded([&]() -> Result<Sky> {
-        auto context = vk::load(device);
-        if (!context) return context.error();
+    return vk::guarded<Sky>([&] {
         auto state = std::make_shared<State>();
-        state->context = *context;
-        auto pass = vk::make_compute_pass(state->context, PASS);
-        if (!pass) return pass.error();
-        state->pass = std::move(*pass);
+        state->context = vk::load(device);
+        state->pass = vk::make_compute_pass(state->context, PASS);
         return Sky(std::move(state));
     });
 }
 
 Result<SkyJob> Sky::bind(const SkyTarget& target) const {
-    return vk::guarded([&]() -> Result<SkyJob> {
+    return vk::guarded<SkyJob>([&] {
         if (!target.image || !target.view || target.width < 2 || target.height < 1)
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "SkyTarget needs an image and a view of at least 2 x 1 texels"};
-        auto sets = vk::make_descriptor_sets(state_->context,
-                                             state_->pass.interface.set_layout.get(), BINDINGS, 1);
-        if (!sets) return sets.error();
+            vk::refuse("SkyTarget needs an image and a view of at least 2 x 1 texels");
         const vk::Resource resources[] = {vk::storage_image(target.view)};
-        vk::write_descriptor_set(state_->context, sets->sets[0], BINDINGS, resources);
+        auto sets =
+            vk::make_descriptor_set(state_->context, state_->pass.interface, BINDINGS, resources);
         return SkyJob(
-            std::unique_ptr<SkyJob::State>(new SkyJob::State{state_, std::move(*sets), target}));
+            std::make_shared<SkyJob::State>(SkyJob::State{state_, std::move(sets), target}));
     });
 }
 
-SkyJob::SkyJob(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
-SkyJob::SkyJob(SkyJob&&) noexcept = default;
-SkyJob& SkyJob::operator=(SkyJob&&) noexcept = default;
-SkyJob::~SkyJob() = default;
-
 void SkyJob::record(VkCommandBuffer commands) const noexcept {
     const vk::Context& context = state_->shared->context;
+    const vk::Label label(context, commands, "lobelia sky");
     const SkyTarget& target = state_->target;
     const Params params{target.width, target.height};
     vk::image_barrier(context, commands, target.image, vk::DISCARDED, vk::STORED);

@@ -55,32 +55,21 @@ struct SphereJob::State {
     vk::DescriptorSets sets;
 };
 
-Sphere::Sphere(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
-Sphere::Sphere(Sphere&&) noexcept = default;
-Sphere& Sphere::operator=(Sphere&&) noexcept = default;
-Sphere::~Sphere() = default;
-
 Result<Sphere> Sphere::create(const Device& device, const SphereTarget& target,
                               const SphereShading& shading) {
-    return vk::guarded([&]() -> Result<Sphere> {
+    return vk::guarded<Sphere>([&] {
         if (!target.render_pass && target.format == VK_FORMAT_UNDEFINED)
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "SphereTarget needs a render pass or a format"};
+            vk::refuse("SphereTarget needs a render pass or a format");
         const SphereMethodEntry* const method = find_method(shading.method);
-        if (!method)
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT, "SphereShading has no such method"};
+        if (!method) vk::refuse("SphereShading has no such method");
         if (shading.samples < 1 || shading.samples > SphereShading::MOST_SAMPLES)
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT, "SphereShading takes 1 to 1024 samples"};
-        auto context = vk::load(device);
-        if (!context) return context.error();
+            vk::refuse("SphereShading takes 1 to 1024 samples");
         auto state = std::make_shared<State>();
-        state->context = *context;
+        state->context = vk::load(device);
         state->shading = shading;
         state->bindings = method->bindings;
         state->types = types_of(method->bindings);
-        auto sampler = vk::make_sampler(state->context, VK_FILTER_LINEAR);
-        if (!sampler) return sampler.error();
-        state->sampler = std::move(*sampler);
+        state->sampler = vk::make_sampler(state->context, VK_FILTER_LINEAR);
 
         const std::uint32_t constants[] = {
             shading.diffuse,    shading.specular,
@@ -88,7 +77,8 @@ Result<Sphere> Sphere::create(const Device& device, const SphereTarget& target,
             method->variant,    shading.samples,
             shading.suns,
         };
-        const vk::FullScreenPassDescription description{.vertex_spirv = VERTEX_SPIRV,
+        const vk::FullScreenPassDescription description{.name = "lobelia sphere",
+                                                        .vertex_spirv = VERTEX_SPIRV,
                                                         .fragment_spirv = method->spirv,
                                                         .bindings = state->types,
                                                         .push_constant_size = sizeof(SphereParams),
@@ -96,43 +86,34 @@ Result<Sphere> Sphere::create(const Device& device, const SphereTarget& target,
                                                         .render_pass = target.render_pass,
                                                         .subpass = target.subpass,
                                                         .format = target.format};
-        auto pass = vk::make_full_screen_pass(state->context, description);
-        if (!pass) return pass.error();
-        state->pass = std::move(*pass);
+        state->pass = vk::make_full_screen_pass(state->context, description);
         return Sphere(std::move(state));
     });
 }
 
 Result<SphereJob> Sphere::bind(const SphereSources& sources) const {
-    return vk::guarded([&]() -> Result<SphereJob> {
+    return vk::guarded<SphereJob>([&] {
         const SphereShading& shading = state_->shading;
-        const Error lacking{VK_ERROR_VALIDATION_FAILED_EXT,
-                            "SphereSources lacks what the shading reads"};
-        if (!sources.background) return lacking;
+        const char* const lacking = "SphereSources lacks what the shading reads";
+        if (!sources.background) vk::refuse(lacking);
         std::vector<vk::Resource> resources;
         for (const SphereBinding& binding : state_->bindings) {
             const bool needed =
                 (binding.diffuse && shading.diffuse) || (binding.specular && shading.specular);
-            if (needed && !is_there(binding, sources)) return lacking;
+            if (needed && !is_there(binding, sources)) vk::refuse(lacking);
             const SphereBinding* const found = stand_in(binding, state_->bindings, sources);
-            if (!found) return lacking;
+            if (!found) vk::refuse(lacking);
             resources.push_back(resource(*found, sources, state_->sampler.get()));
         }
-        auto sets = vk::make_descriptor_sets(
-            state_->context, state_->pass.interface.set_layout.get(), state_->types, 1);
-        if (!sets) return sets.error();
-        vk::write_descriptor_set(state_->context, sets->sets[0], state_->types, resources);
+        auto sets = vk::make_descriptor_set(state_->context, state_->pass.interface, state_->types,
+                                            resources);
         return SphereJob(
-            std::unique_ptr<SphereJob::State>(new SphereJob::State{state_, std::move(*sets)}));
+            std::make_shared<SphereJob::State>(SphereJob::State{state_, std::move(sets)}));
     });
 }
 
-SphereJob::SphereJob(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
-SphereJob::SphereJob(SphereJob&&) noexcept = default;
-SphereJob& SphereJob::operator=(SphereJob&&) noexcept = default;
-SphereJob::~SphereJob() = default;
-
 void SphereJob::record(VkCommandBuffer commands, const SphereView& view) const noexcept {
+    const vk::Label label(state_->shared->context, commands, "lobelia sphere");
     vk::draw_full_screen(state_->shared->context, commands, state_->shared->pass,
                          state_->sets.sets[0], make_params(view), view.width, view.height);
 }

@@ -14,11 +14,11 @@ enum class Taps : std::uint32_t { one = 1, two = 2, five = 5 };
 
 /// The ladder that those lobes are read from for materials of exponents from `least` to `most`,
 /// each in [0, 1e6] and `least` <= `most`. Takes about 5 milliseconds.
-Ladder ladder_for(Taps taps, float least, float most);
+LOBELIA_API Ladder ladder_for(Taps taps, float least, float most);
 
 /// The tables that lobelia/taps.glsl reads: where lobes that the horizon cuts are best read. They
 /// hold for every material and environment; one image serves all.
-class ClippedTables {
+class LOBELIA_API ClippedTables {
 public:
     /// The image: 2D array of one level, SAMPLED and TRANSFER_DST usage.
     static constexpr std::uint32_t WIDTH = 32, HEIGHT = 16, LAYERS = 2;
@@ -28,9 +28,6 @@ public:
 
     /// Computes the tables in double precision: about 50 milliseconds. Fails without memory.
     static Result<ClippedTables> create(const Device& device);
-    ClippedTables(ClippedTables&&) noexcept;
-    ClippedTables& operator=(ClippedTables&&) noexcept;
-    ~ClippedTables();
 
     /// Records the upload, outside of render passes. The image's content is discarded; afterwards
     /// it is in SHADER_READ_ONLY_OPTIMAL, visible to fragment and compute shaders. The buffer is
@@ -40,8 +37,9 @@ public:
     struct State;
 
 private:
-    explicit ClippedTables(std::unique_ptr<State> state) noexcept;
-    std::unique_ptr<State> state_;
+    explicit ClippedTables(std::shared_ptr<const State> state) noexcept
+        : state_(std::move(state)) {}
+    std::shared_ptr<const State> state_;
 };
 
 } // namespace lobelia

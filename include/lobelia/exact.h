@@ -32,13 +32,10 @@ struct ExactSettings {
 };
 
 /// A list of directions bound to an environment. Made by Exact::bind.
-class ExactJob {
+class LOBELIA_API ExactJob {
 public:
     struct State;
-    explicit ExactJob(std::unique_ptr<State> state) noexcept;
-    ExactJob(ExactJob&&) noexcept;
-    ExactJob& operator=(ExactJob&&) noexcept;
-    ~ExactJob();
+    explicit ExactJob(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
 
     /// How many steps the work is split into; one step is at most one dispatch of bounded size.
     std::uint32_t steps() const noexcept;
@@ -54,19 +51,16 @@ public:
     void record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count) const noexcept;
 
 private:
-    std::unique_ptr<State> state_;
+    std::shared_ptr<const State> state_;
 };
 
 /// The truth that every other method is measured against: weighted averages over every texel of an
 /// environment, each texel constant over its own exact solid angle, the weight integrated over the
 /// texel's area, and the sum divided by the sum of the weights. Cost: the number of queries times
 /// the number of texels in the lobe's support.
-class Exact {
+class LOBELIA_API Exact {
 public:
     static Result<Exact> create(const Device& device);
-    Exact(Exact&&) noexcept;
-    Exact& operator=(Exact&&) noexcept;
-    ~Exact();
 
     /// Buffers that bind() needs, in bytes. `queries`: ExactQuery each, STORAGE_BUFFER. `results`:
     /// four floats each, STORAGE_BUFFER. `tables`: STORAGE_BUFFER and TRANSFER_DST, filled by step
@@ -87,8 +81,8 @@ public:
     struct State;
 
 private:
-    explicit Exact(std::shared_ptr<State> state) noexcept;
-    std::shared_ptr<State> state_;
+    explicit Exact(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
+    std::shared_ptr<const State> state_;
 };
 
 } // namespace lobelia

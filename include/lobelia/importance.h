@@ -24,13 +24,11 @@ struct ImportanceSettings {
 };
 
 /// A list of directions bound to an environment. Made by Importance::bind.
-class ImportanceJob {
+class LOBELIA_API ImportanceJob {
 public:
     struct State;
-    explicit ImportanceJob(std::unique_ptr<State> state) noexcept;
-    ImportanceJob(ImportanceJob&&) noexcept;
-    ImportanceJob& operator=(ImportanceJob&&) noexcept;
-    ~ImportanceJob();
+    explicit ImportanceJob(std::shared_ptr<const State> state) noexcept
+        : state_(std::move(state)) {}
 
     /// How many steps the work is split into; one step is one dispatch of bounded size.
     std::uint32_t steps() const noexcept;
@@ -45,7 +43,7 @@ public:
     void record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count) const noexcept;
 
 private:
-    std::unique_ptr<State> state_;
+    std::shared_ptr<const State> state_;
 };
 
 /// The usual ways to prefilter, to compare with: importance sampling, and filtered importance
@@ -53,13 +51,10 @@ private:
 /// directions are drawn from the lobe itself by the Hammersley set, the same for every axis, so the
 /// average is the mean of what is fetched there (lobelia/importance.glsl, which an engine's shader
 /// can include). docs/prefilter.md has the errors. Cost: N fetches for each direction.
-class Importance {
+class LOBELIA_API Importance {
 public:
     /// Compiles the pipelines. Fails where Vulkan does.
     static Result<Importance> create(const Device& device);
-    Importance(Importance&&) noexcept;
-    Importance& operator=(Importance&&) noexcept;
-    ~Importance();
 
     /// Makes views and descriptors. `source` has SAMPLED usage and a format that the device filters
     /// linearly. Entry `i` of `directions` and of `results` are four floats, a unit vector (and
@@ -71,8 +66,8 @@ public:
     struct State;
 
 private:
-    explicit Importance(std::shared_ptr<State> state) noexcept;
-    std::shared_ptr<State> state_;
+    explicit Importance(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
+    std::shared_ptr<const State> state_;
 };
 
 } // namespace lobelia

@@ -11,13 +11,11 @@ namespace lobelia {
 
 /// A cube map bound to the coefficients made of it. Made by Irradiance::bind; independent of the
 /// object it came from, which may go first.
-class IrradianceJob {
+class LOBELIA_API IrradianceJob {
 public:
     struct State;
-    explicit IrradianceJob(std::unique_ptr<State> state) noexcept;
-    IrradianceJob(IrradianceJob&&) noexcept;
-    IrradianceJob& operator=(IrradianceJob&&) noexcept;
-    ~IrradianceJob();
+    explicit IrradianceJob(std::shared_ptr<const State> state) noexcept
+        : state_(std::move(state)) {}
 
     /// Records three dispatches. On entry the source is in SHADER_READ_ONLY_OPTIMAL, visible to
     /// compute shaders; the buffers' content is discarded. On exit the coefficients are visible to
@@ -26,14 +24,14 @@ public:
     void record(VkCommandBuffer commands) const noexcept;
 
 private:
-    std::unique_ptr<State> state_;
+    std::shared_ptr<const State> state_;
 };
 
 /// The diffuse lobe's light as spherical harmonics, the field's usual way (Ramamoorthi and Hanrahan
 /// 2001, "An Efficient Representation for Irradiance Environment Maps"), to compare with. Texels
 /// count by their solid angle, suns among them; what is no radiance is made sane as in Mips. A
 /// shader evaluates the coefficients with lobelia/irradiance.glsl. docs/shading.md has the errors.
-class Irradiance {
+class LOBELIA_API Irradiance {
 public:
     /// Bytes of the coefficients: 18 times R G B 0 as floats, std140 for a uniform buffer.
     static constexpr VkDeviceSize COEFFICIENTS_SIZE = 18 * 16;
@@ -43,9 +41,6 @@ public:
 
     /// Compiles the pipelines. Fails where Vulkan does.
     static Result<Irradiance> create(const Device& device);
-    Irradiance(Irradiance&&) noexcept;
-    Irradiance& operator=(Irradiance&&) noexcept;
-    ~Irradiance();
 
     /// Makes views and descriptors. `source` is of any size from 1 to 16384 texels; both buffers
     /// have STORAGE_BUFFER usage and the sizes above. All handles must outlive the job's last use
@@ -56,8 +51,8 @@ public:
     struct State;
 
 private:
-    explicit Irradiance(std::shared_ptr<State> state) noexcept;
-    std::shared_ptr<State> state_;
+    explicit Irradiance(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
+    std::shared_ptr<const State> state_;
 };
 
 } // namespace lobelia

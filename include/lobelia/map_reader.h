@@ -11,13 +11,10 @@
 namespace lobelia {
 
 /// A prefiltered map with a list of directions. Made by MapReader::bind.
-class MapReaderJob {
+class LOBELIA_API MapReaderJob {
 public:
     struct State;
-    explicit MapReaderJob(std::unique_ptr<State> state) noexcept;
-    MapReaderJob(MapReaderJob&&) noexcept;
-    MapReaderJob& operator=(MapReaderJob&&) noexcept;
-    ~MapReaderJob();
+    explicit MapReaderJob(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
 
     /// Records the reading. On entry the map is in SHADER_READ_ONLY_OPTIMAL and the directions and
     /// the state buffer are visible to compute shaders; on exit the results are visible to compute
@@ -25,18 +22,15 @@ public:
     void record(VkCommandBuffer commands) const noexcept;
 
 private:
-    std::unique_ptr<State> state_;
+    std::shared_ptr<const State> state_;
 };
 
 /// Reads P_n from a prefiltered map at given directions, with its scale undone and its suns put
 /// back, by the functions of lobelia/prefiltered.glsl: for files that other programs read, and to
 /// measure.
-class MapReader {
+class LOBELIA_API MapReader {
 public:
     static Result<MapReader> create(const Device& device);
-    MapReader(MapReader&&) noexcept;
-    MapReader& operator=(MapReader&&) noexcept;
-    ~MapReader();
 
     /// What is read: entry `i` of `directions` and of `results` are four floats, a unit vector (and
     /// nothing) and R G B 1. All buffers have STORAGE_BUFFER usage; `view` is a cube view of the
@@ -55,8 +49,8 @@ public:
     struct State;
 
 private:
-    explicit MapReader(std::shared_ptr<State> state) noexcept;
-    std::shared_ptr<State> state_;
+    explicit MapReader(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
+    std::shared_ptr<const State> state_;
 };
 
 } // namespace lobelia

@@ -16,13 +16,10 @@ enum class MipWeights {
 
 /// A cube map bound to the mips made of it. Made by Mips::bind; independent of the object it came
 /// from, which may go first.
-class MipsJob {
+class LOBELIA_API MipsJob {
 public:
     struct State;
-    explicit MipsJob(std::unique_ptr<State> state) noexcept;
-    MipsJob(MipsJob&&) noexcept;
-    MipsJob& operator=(MipsJob&&) noexcept;
-    ~MipsJob();
+    explicit MipsJob(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
 
     /// Records the making of all levels, one dispatch each. On entry the source is in
     /// SHADER_READ_ONLY_OPTIMAL, visible to compute shaders; the target's content is discarded. On
@@ -31,19 +28,16 @@ public:
     void record(VkCommandBuffer commands) const noexcept;
 
 private:
-    std::unique_ptr<State> state_;
+    std::shared_ptr<const State> state_;
 };
 
 /// A cube map with mips, for Importance and for shaders that filter with them. Level 0 is the
 /// source made sane: NaN and negative radiance become 0, and nothing stays above 2^120. Each
 /// further texel is the average of the four below it, weighted as asked.
-class Mips {
+class LOBELIA_API Mips {
 public:
     /// Compiles the pipelines. Fails where Vulkan does.
     static Result<Mips> create(const Device& device);
-    Mips(Mips&&) noexcept;
-    Mips& operator=(Mips&&) noexcept;
-    ~Mips();
 
     /// Makes views and descriptors. Both are of the same size, a power of two; `target` has at most
     /// log2(size) + 1 levels, STORAGE and SAMPLED usage and one of two formats, which the caller
@@ -57,8 +51,8 @@ public:
     struct State;
 
 private:
-    explicit Mips(std::shared_ptr<State> state) noexcept;
-    std::shared_ptr<State> state_;
+    explicit Mips(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
+    std::shared_ptr<const State> state_;
 };
 
 } // namespace lobelia

@@ -10,13 +10,11 @@ namespace lobelia {
 
 /// A panorama bound to the cube map it is resampled into. Made by PanoramaToCube::bind; independent
 /// of the object it came from, which may go first.
-class PanoramaToCubeJob {
+class LOBELIA_API PanoramaToCubeJob {
 public:
     struct State;
-    explicit PanoramaToCubeJob(std::unique_ptr<State> state) noexcept;
-    PanoramaToCubeJob(PanoramaToCubeJob&&) noexcept;
-    PanoramaToCubeJob& operator=(PanoramaToCubeJob&&) noexcept;
-    ~PanoramaToCubeJob();
+    explicit PanoramaToCubeJob(std::shared_ptr<const State> state) noexcept
+        : state_(std::move(state)) {}
 
     /// Records the resampling into level 0 of the target. Never allocates, submits or waits.
     ///
@@ -27,19 +25,16 @@ public:
     void record(VkCommandBuffer commands) const noexcept;
 
 private:
-    std::unique_ptr<State> state_;
+    std::shared_ptr<const State> state_;
 };
 
 /// Area-true resampling: each cube texel becomes the panorama integrated over the texel's solid
 /// angle, divided by it. No light appears or is lost, however small its source: the two maps' means
 /// over the sphere agree to about 1e-5, and a constant panorama stays that constant.
-class PanoramaToCube {
+class LOBELIA_API PanoramaToCube {
 public:
     /// Compiles the pipeline. Fails where Vulkan does.
     static Result<PanoramaToCube> create(const Device& device);
-    PanoramaToCube(PanoramaToCube&&) noexcept;
-    PanoramaToCube& operator=(PanoramaToCube&&) noexcept;
-    ~PanoramaToCube();
 
     /// Makes views and descriptors. `source` needs SAMPLED usage and sides of 1 to 32768 texels;
     /// `target` needs STORAGE and SAMPLED usage and format R32G32B32A32_SFLOAT. Both must outlive
@@ -49,8 +44,9 @@ public:
     struct State;
 
 private:
-    explicit PanoramaToCube(std::shared_ptr<State> state) noexcept;
-    std::shared_ptr<State> state_;
+    explicit PanoramaToCube(std::shared_ptr<const State> state) noexcept
+        : state_(std::move(state)) {}
+    std::shared_ptr<const State> state_;
 };
 
 } // namespace lobelia

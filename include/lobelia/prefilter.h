@@ -37,7 +37,7 @@ struct Ladder {
     float lowest = 1.0f;     // >= 1
     std::uint32_t rungs = 0; // 0: no ladder; else at least 2
 };
-float exponent_at(const Ladder& ladder, std::uint32_t rung) noexcept;
+LOBELIA_API float exponent_at(const Ladder& ladder, std::uint32_t rung) noexcept;
 
 struct PrefilterRequest {
     std::span<const float> exponents; // each in [0, 1e6]: a map of P_n at exactly that exponent
@@ -65,7 +65,7 @@ struct PrefilterPass {
 
 /// The passes and memory that a list of maps needs. Depends on the request alone, so it can be made
 /// before there is a device.
-class PrefilterPlan {
+class LOBELIA_API PrefilterPlan {
 public:
     struct State;
     static Result<PrefilterPlan> make(const PrefilterRequest& request);
@@ -107,14 +107,18 @@ private:
     std::shared_ptr<const State> state_;
 };
 
+/// Queries of the caller's pool of timestamps, reset, for PrefilterJob::record(): pass `i` writes
+/// query `first` + 2 `i` before it begins and the next one when it has ended.
+struct PassTimestamps {
+    VkQueryPool pool = VK_NULL_HANDLE; // null: none
+    std::uint32_t first = 0;           // pool's size >= first + 2 * plan.pass_count()
+};
+
 /// A source, maps and buffers bound for recording. Made by Prefilter::bind.
-class PrefilterJob {
+class LOBELIA_API PrefilterJob {
 public:
     struct State;
-    explicit PrefilterJob(std::unique_ptr<State> state) noexcept;
-    PrefilterJob(PrefilterJob&&) noexcept;
-    PrefilterJob& operator=(PrefilterJob&&) noexcept;
-    ~PrefilterJob();
+    explicit PrefilterJob(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
 
     /// Records passes [first, first + count) of the plan, in order and once each; they may be
     /// spread over command buffers submitted in order, with the same bits. Begin at pass 0, or at
@@ -125,20 +129,18 @@ public:
     /// buffer's, and the source is in SHADER_READ_ONLY_OPTIMAL, visible to compute shaders. After
     /// the last pass maps and ladder are in SHADER_READ_ONLY_OPTIMAL and with the state buffer
     /// visible to fragment and compute shaders.
-    void record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count) const noexcept;
+    void record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count,
+                const PassTimestamps& timestamps = {}) const noexcept;
 
 private:
-    std::unique_ptr<State> state_;
+    std::shared_ptr<const State> state_;
 };
 
 /// Blurs a cube map with Phong lobes: suns taken out, a chain of positive zonal kernels matched to
 /// the lobes' spectrum, direct sums for low exponents.
-class Prefilter {
+class LOBELIA_API Prefilter {
 public:
     static Result<Prefilter> create(const Device& device);
-    Prefilter(Prefilter&&) noexcept;
-    Prefilter& operator=(Prefilter&&) noexcept;
-    ~Prefilter();
 
     /// Makes views and descriptors. `maps` are what plan.maps() says, in its order, and `ladder`
     /// the image that holds plan.ladder(), null where it has no rungs. All handles must outlive the
@@ -150,8 +152,8 @@ public:
     struct State;
 
 private:
-    explicit Prefilter(std::shared_ptr<State> state) noexcept;
-    std::shared_ptr<State> state_;
+    explicit Prefilter(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
+    std::shared_ptr<const State> state_;
 };
 
 } // namespace lobelia

@@ -19,13 +19,10 @@ struct SkyTarget {
 };
 
 /// A panorama bound to be filled. Made by Sky::bind; independent of the object it came from.
-class SkyJob {
+class LOBELIA_API SkyJob {
 public:
     struct State;
-    explicit SkyJob(std::unique_ptr<State> state) noexcept;
-    SkyJob(SkyJob&&) noexcept;
-    SkyJob& operator=(SkyJob&&) noexcept;
-    ~SkyJob();
+    explicit SkyJob(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
 
     /// Records the drawing. The target's content is discarded; on exit it holds the sky in linear
     /// radiance, alpha 1, in SHADER_READ_ONLY_OPTIMAL, visible to fragment and compute shaders.
@@ -33,19 +30,16 @@ public:
     void record(VkCommandBuffer commands) const noexcept;
 
 private:
-    std::unique_ptr<State> state_;
+    std::shared_ptr<const State> state_;
 };
 
 /// An environment that needs no file: a clear evening sky over a tiled floor, a warm and a cool
 /// soft box, a lamp, and a small sun some 10^4 times as bright as the rest. No two sides look
 /// alike, so a mirrored or turned picture shows. The sun's power is the same at every resolution.
-class Sky {
+class LOBELIA_API Sky {
 public:
     /// Compiles the pipeline. Fails where Vulkan does.
     static Result<Sky> create(const Device& device);
-    Sky(Sky&&) noexcept;
-    Sky& operator=(Sky&&) noexcept;
-    ~Sky();
 
     /// Makes descriptors. All handles must outlive the job's last use on the device.
     Result<SkyJob> bind(const SkyTarget& target) const;
@@ -53,8 +47,8 @@ public:
     struct State;
 
 private:
-    explicit Sky(std::shared_ptr<State> state) noexcept;
-    std::shared_ptr<State> state_;
+    explicit Sky(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
+    std::shared_ptr<const State> state_;
 };
 
 } // namespace lobelia

@@ -48,13 +48,10 @@ struct SphereTarget {
 
 /// Maps bound for drawing. Made by Sphere::bind; independent of the object it came from, which may
 /// go first.
-class SphereJob {
+class LOBELIA_API SphereJob {
 public:
     struct State;
-    explicit SphereJob(std::unique_ptr<State> state) noexcept;
-    SphereJob(SphereJob&&) noexcept;
-    SphereJob& operator=(SphereJob&&) noexcept;
-    ~SphereJob();
+    explicit SphereJob(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
 
     /// Records the draw, to be called inside the caller's render pass or dynamic rendering. Sets
     /// viewport and scissor to view.width x view.height. The eye is on the sphere or outside it.
@@ -63,20 +60,17 @@ public:
     void record(VkCommandBuffer commands, const SphereView& view) const noexcept;
 
 private:
-    std::unique_ptr<State> state_;
+    std::shared_ptr<const State> state_;
 };
 
 /// The sphere, cast as a ray in every pixel: exact normals, no mesh, no vertex buffer. Where the
 /// silhouette cuts a pixel, the covered area is computed, not sampled, and a pixel whose centre
 /// misses the sphere has the colour of the nearest point of the silhouette.
-class Sphere {
+class LOBELIA_API Sphere {
 public:
     /// Compiles the pipeline. Fails where Vulkan does.
     static Result<Sphere> create(const Device& device, const SphereTarget& target,
                                  const SphereShading& shading);
-    Sphere(Sphere&&) noexcept;
-    Sphere& operator=(Sphere&&) noexcept;
-    ~Sphere();
 
     /// Makes descriptors. Refuses sources that lack what the shading reads. All handles must
     /// outlive the job's last use on the device.
@@ -85,8 +79,8 @@ public:
     struct State;
 
 private:
-    explicit Sphere(std::shared_ptr<State> state) noexcept;
-    std::shared_ptr<State> state_;
+    explicit Sphere(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
+    std::shared_ptr<const State> state_;
 };
 
 } // namespace lobelia

@@ -2,13 +2,10 @@
 
 namespace lobelia::vk {
 
-Result<ComputePass> make_compute_pass(const Context& context,
-                                      const ComputePassDescription& description) {
-    auto interface = make_interface(context, VK_SHADER_STAGE_COMPUTE_BIT, description.bindings,
-                                    description.push_constant_size);
-    if (!interface) return interface.error();
-    auto module = make_shader_module(context, description.spirv);
-    if (!module) return module.error();
+ComputePass make_compute_pass(const Context& context, const ComputePassDescription& description) {
+    Interface interface = make_interface(context, description.name, VK_SHADER_STAGE_COMPUTE_BIT,
+                                         description.bindings, description.push_constant_size);
+    const ShaderModule module = make_shader_module(context, description.spirv);
 
     std::vector<VkSpecializationMapEntry> entries;
     for (std::uint32_t i = 0; i < description.constants.size(); ++i)
@@ -20,16 +17,17 @@ Result<ComputePass> make_compute_pass(const Context& context,
         .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
         .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                   .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                  .module = module->get(),
+                  .module = module.get(),
                   .pName = "main",
                   .pSpecializationInfo = &constants},
-        .layout = interface->layout.get()};
+        .layout = interface.layout.get()};
     VkPipeline pipeline = VK_NULL_HANDLE;
-    const VkResult code =
-        context.call.vkCreateComputePipelines(context.device.handle, context.device.pipeline_cache,
-                                              1, &info, context.device.allocator, &pipeline);
-    if (code != VK_SUCCESS) return Error{code, "create compute pipeline"};
-    return ComputePass{std::move(*interface), Pipeline(context, pipeline)};
+    check(context.call.vkCreateComputePipelines(context.device.handle,
+                                                context.device.pipeline_cache, 1, &info,
+                                                context.device.allocator, &pipeline),
+          "create compute pipeline");
+    set_name(context, VK_OBJECT_TYPE_PIPELINE, pipeline, description.name);
+    return {description.name, std::move(interface), Pipeline(context, pipeline)};
 }
 
 void image_barrier(const Context& context, VkCommandBuffer commands, VkImage image,
@@ -49,38 +47,37 @@ void image_barrier(const Context& context, VkCommandBuffer commands, VkImage ima
                                       &barrier);
 }
 
-Result<ImageView> make_level_view(const Context& context, VkImage image, VkFormat format,
-                                  VkImageViewType type, std::uint32_t level) {
-    const VkImageViewCreateInfo info{
-        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-        .image = image,
-        .viewType = type,
-        .format = format,
-        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, level, 1, 0,
-                             type == VK_IMAGE_VIEW_TYPE_2D ? 1 : VK_REMAINING_ARRAY_LAYERS}};
+namespace {
+
+ImageView make_view(const Context& context, VkImage image, VkFormat format, VkImageViewType type,
+                    const VkImageSubresourceRange& range) {
+    const VkImageViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                     .image = image,
+                                     .viewType = type,
+                                     .format = format,
+                                     .subresourceRange = range};
     return make<ImageView>(context, context.call.vkCreateImageView, info, "create image view");
 }
 
-Result<ImageView> make_layers_view(const Context& context, VkImage image, VkFormat format,
-                                   std::uint32_t first_layer, std::uint32_t layers) {
-    const VkImageViewCreateInfo info{
-        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-        .image = image,
-        .viewType = VK_IMAGE_VIEW_TYPE_2D_ARRAY,
-        .format = format,
-        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, first_layer, layers}};
-    return make<ImageView>(context, context.call.vkCreateImageView, info, "create image view");
+} // namespace
+
+ImageView make_level_view(const Context& context, VkImage image, VkFormat format,
+                          VkImageViewType type, std::uint32_t level) {
+    const std::uint32_t layers = type == VK_IMAGE_VIEW_TYPE_2D ? 1 : VK_REMAINING_ARRAY_LAYERS;
+    return make_view(context, image, format, type,
+                     {VK_IMAGE_ASPECT_COLOR_BIT, level, 1, 0, layers});
 }
 
-Result<ImageView> make_cube_view(const Context& context, VkImage image, VkFormat format,
-                                 std::uint32_t levels) {
-    const VkImageViewCreateInfo info{
-        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-        .image = image,
-        .viewType = VK_IMAGE_VIEW_TYPE_CUBE,
-        .format = format,
-        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, levels, 0, 6}};
-    return make<ImageView>(context, context.call.vkCreateImageView, info, "create image view");
+ImageView make_layers_view(const Context& context, VkImage image, VkFormat format,
+                           std::uint32_t first_layer, std::uint32_t layers) {
+    return make_view(context, image, format, VK_IMAGE_VIEW_TYPE_2D_ARRAY,
+                     {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, first_layer, layers});
+}
+
+ImageView make_cube_view(const Context& context, VkImage image, VkFormat format,
+                         std::uint32_t levels) {
+    return make_view(context, image, format, VK_IMAGE_VIEW_TYPE_CUBE,
+                     {VK_IMAGE_ASPECT_COLOR_BIT, 0, levels, 0, 6});
 }
 
 void memory_barrier(const Context& context, VkCommandBuffer commands,

@@ -17,11 +17,11 @@ struct ComputePassDescription {
 };
 
 struct ComputePass {
+    const char* name;
     Interface interface;
     Pipeline pipeline;
 };
-Result<ComputePass> make_compute_pass(const Context& context,
-                                      const ComputePassDescription& description);
+ComputePass make_compute_pass(const Context& context, const ComputePassDescription& description);
 
 /// Binds the pipeline, one descriptor set and the push constants of a pass.
 template <class Params>
@@ -56,16 +56,16 @@ void image_barrier(const Context& context, VkCommandBuffer commands, VkImage ima
                    std::uint32_t levels = VK_REMAINING_MIP_LEVELS);
 
 /// A view of all layers of one level: a cube map's faces as a 2D array for image stores, say.
-Result<ImageView> make_level_view(const Context& context, VkImage image, VkFormat format,
-                                  VkImageViewType type, std::uint32_t level = 0);
+ImageView make_level_view(const Context& context, VkImage image, VkFormat format,
+                          VkImageViewType type, std::uint32_t level = 0);
 
 /// A view of `layers` layers of level 0 as a 2D array.
-Result<ImageView> make_layers_view(const Context& context, VkImage image, VkFormat format,
-                                   std::uint32_t first_layer, std::uint32_t layers);
+ImageView make_layers_view(const Context& context, VkImage image, VkFormat format,
+                           std::uint32_t first_layer, std::uint32_t layers);
 
 /// A view of the first `levels` levels of a cube map, to be sampled by direction.
-Result<ImageView> make_cube_view(const Context& context, VkImage image, VkFormat format,
-                                 std::uint32_t levels);
+ImageView make_cube_view(const Context& context, VkImage image, VkFormat format,
+                         std::uint32_t levels);
 
 /// Makes what was written at `from` visible to `to` for the commands that follow.
 void memory_barrier(const Context& context, VkCommandBuffer commands,

@@ -2,16 +2,13 @@
 
 namespace lobelia::vk {
 
-Result<FullScreenPass> make_full_screen_pass(const Context& context,
-                                             const FullScreenPassDescription& description) {
-    auto interface =
-        make_interface(context, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
-                       description.bindings, description.push_constant_size);
-    if (!interface) return interface.error();
-    const auto vertex = make_shader_module(context, description.vertex_spirv);
-    if (!vertex) return vertex.error();
-    const auto fragment = make_shader_module(context, description.fragment_spirv);
-    if (!fragment) return fragment.error();
+FullScreenPass make_full_screen_pass(const Context& context,
+                                     const FullScreenPassDescription& description) {
+    Interface interface = make_interface(context, description.name,
+                                         VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
+                                         description.bindings, description.push_constant_size);
+    const ShaderModule vertex = make_shader_module(context, description.vertex_spirv);
+    const ShaderModule fragment = make_shader_module(context, description.fragment_spirv);
 
     std::vector<VkSpecializationMapEntry> entries;
     for (std::uint32_t i = 0; i < description.constants.size(); ++i)
@@ -22,11 +19,11 @@ Result<FullScreenPass> make_full_screen_pass(const Context& context,
     const VkPipelineShaderStageCreateInfo stages[] = {
         {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
          .stage = VK_SHADER_STAGE_VERTEX_BIT,
-         .module = vertex->get(),
+         .module = vertex.get(),
          .pName = "main"},
         {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
          .stage = VK_SHADER_STAGE_FRAGMENT_BIT,
-         .module = fragment->get(),
+         .module = fragment.get(),
          .pName = "main",
          .pSpecializationInfo = &constants}};
     const VkPipelineVertexInputStateCreateInfo vertices{
@@ -73,15 +70,16 @@ Result<FullScreenPass> make_full_screen_pass(const Context& context,
                                             .pMultisampleState = &multisampling,
                                             .pColorBlendState = &blending,
                                             .pDynamicState = &dynamic,
-                                            .layout = interface->layout.get(),
+                                            .layout = interface.layout.get(),
                                             .renderPass = description.render_pass,
                                             .subpass = description.subpass};
     VkPipeline pipeline = VK_NULL_HANDLE;
-    const VkResult code =
-        context.call.vkCreateGraphicsPipelines(context.device.handle, context.device.pipeline_cache,
-                                               1, &info, context.device.allocator, &pipeline);
-    if (code != VK_SUCCESS) return Error{code, "create graphics pipeline"};
-    return FullScreenPass{std::move(*interface), Pipeline(context, pipeline)};
+    check(context.call.vkCreateGraphicsPipelines(context.device.handle,
+                                                 context.device.pipeline_cache, 1, &info,
+                                                 context.device.allocator, &pipeline),
+          "create graphics pipeline");
+    set_name(context, VK_OBJECT_TYPE_PIPELINE, pipeline, description.name);
+    return {std::move(interface), Pipeline(context, pipeline)};
 }
 
 } // namespace lobelia::vk

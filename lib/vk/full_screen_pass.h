@@ -10,6 +10,7 @@ namespace lobelia::vk {
 /// `bindings[i]`; specialisation constant `i` of the fragment shader has the value `constants[i]`.
 /// It writes all of colour attachment 0; a null `render_pass` means dynamic rendering in `format`.
 struct FullScreenPassDescription {
+    const char* name;
     std::span<const std::uint32_t> vertex_spirv;
     std::span<const std::uint32_t> fragment_spirv;
     std::span<const VkDescriptorType> bindings;
@@ -24,8 +25,8 @@ struct FullScreenPass {
     Interface interface;
     Pipeline pipeline;
 };
-Result<FullScreenPass> make_full_screen_pass(const Context& context,
-                                             const FullScreenPassDescription& description);
+FullScreenPass make_full_screen_pass(const Context& context,
+                                     const FullScreenPassDescription& description);
 
 /// Draws with one descriptor set into the upper left width x height pixels.
 template <class Params>

@@ -16,6 +16,7 @@
     X(vkCmdSetScissor)                                                                             \
     X(vkCmdSetViewport)                                                                            \
     X(vkCmdUpdateBuffer)                                                                           \
+    X(vkCmdWriteTimestamp)                                                                         \
     X(vkCreateBufferView)                                                                          \
     X(vkCreateComputePipelines)                                                                    \
     X(vkCreateDescriptorPool)                                                                      \
@@ -35,11 +36,18 @@
     X(vkDestroyShaderModule)                                                                       \
     X(vkUpdateDescriptorSets)
 
+// Of VK_EXT_debug_utils, null where the caller has not enabled it.
+#define LOBELIA_DEBUG_FUNCTIONS(X)                                                                 \
+    X(vkCmdBeginDebugUtilsLabelEXT)                                                                \
+    X(vkCmdEndDebugUtilsLabelEXT)                                                                  \
+    X(vkSetDebugUtilsObjectNameEXT)
+
 namespace lobelia::vk {
 
 struct Functions {
 #define X(name) PFN_##name name = nullptr;
     LOBELIA_DEVICE_FUNCTIONS(X)
+    LOBELIA_DEBUG_FUNCTIONS(X)
 #undef X
 };
 
@@ -50,6 +58,12 @@ struct Context {
     Functions call;
 };
 
-Result<Context> load(const Device& device);
+/// Throws an Error where the device cannot be used.
+Context load(const Device& device);
+
+/// Tells the caller, where it wants to know.
+inline void warn(const Context& context, const char* text) noexcept {
+    if (context.device.on_warning) context.device.on_warning(text, context.device.on_warning_user);
+}
 
 } // namespace lobelia::vk

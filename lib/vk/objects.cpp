@@ -2,8 +2,7 @@
 
 namespace lobelia::vk {
 
-Result<ShaderModule> make_shader_module(const Context& context,
-                                        std::span<const std::uint32_t> spirv) {
+ShaderModule make_shader_module(const Context& context, std::span<const std::uint32_t> spirv) {
     const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                         .codeSize = spirv.size_bytes(),
                                         .pCode = spirv.data()};
@@ -11,7 +10,7 @@ Result<ShaderModule> make_shader_module(const Context& context,
                               "create shader module");
 }
 
-Result<Sampler> make_sampler(const Context& context, VkFilter filter) {
+Sampler make_sampler(const Context& context, VkFilter filter) {
     const bool linear = filter == VK_FILTER_LINEAR;
     const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                    .magFilter = filter,
@@ -25,9 +24,9 @@ Result<Sampler> make_sampler(const Context& context, VkFilter filter) {
     return make<Sampler>(context, context.call.vkCreateSampler, info, "create sampler");
 }
 
-Result<Interface> make_interface(const Context& context, VkShaderStageFlags stages,
-                                 std::span<const VkDescriptorType> bindings,
-                                 std::uint32_t push_constant_size) {
+Interface make_interface(const Context& context, const char* name, VkShaderStageFlags stages,
+                         std::span<const VkDescriptorType> bindings,
+                         std::uint32_t push_constant_size) {
     std::vector<VkDescriptorSetLayoutBinding> entries;
     for (const VkDescriptorType type : bindings)
         entries.push_back({std::uint32_t(entries.size()), type, 1, stages, nullptr});
@@ -35,47 +34,54 @@ Result<Interface> make_interface(const Context& context, VkShaderStageFlags stag
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
         .bindingCount = std::uint32_t(entries.size()),
         .pBindings = entries.data()};
-    auto set_layout = make<SetLayout>(context, context.call.vkCreateDescriptorSetLayout, set_info,
-                                      "create descriptor set layout");
-    if (!set_layout) return set_layout.error();
+    SetLayout set_layout = make<SetLayout>(context, context.call.vkCreateDescriptorSetLayout,
+                                           set_info, "create descriptor set layout");
 
     const VkPushConstantRange range{stages, 0, push_constant_size};
-    const VkDescriptorSetLayout handle = set_layout->get();
+    const VkDescriptorSetLayout handle = set_layout.get();
     const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                           .setLayoutCount = 1,
                                           .pSetLayouts = &handle,
                                           .pushConstantRangeCount = push_constant_size > 0,
                                           .pPushConstantRanges = &range};
-    auto layout = make<PipelineLayout>(context, context.call.vkCreatePipelineLayout, info,
-                                       "create pipeline layout");
-    if (!layout) return layout.error();
-    return Interface{std::move(*set_layout), std::move(*layout)};
+    PipelineLayout layout = make<PipelineLayout>(context, context.call.vkCreatePipelineLayout, info,
+                                                 "create pipeline layout");
+    set_name(context, VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, handle, name);
+    set_name(context, VK_OBJECT_TYPE_PIPELINE_LAYOUT, layout.get(), name);
+    return {std::move(set_layout), std::move(layout)};
 }
 
-Result<DescriptorSets> make_descriptor_sets(const Context& context, VkDescriptorSetLayout layout,
-                                            std::span<const VkDescriptorType> bindings,
-                                            std::uint32_t sets) {
+DescriptorSets make_descriptor_sets(const Context& context, const Interface& interface,
+                                    std::span<const VkDescriptorType> bindings,
+                                    std::uint32_t sets) {
     std::vector<VkDescriptorPoolSize> sizes;
     for (const VkDescriptorType type : bindings) sizes.push_back({type, sets});
     const VkDescriptorPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                           .maxSets = sets,
                                           .poolSizeCount = std::uint32_t(sizes.size()),
                                           .pPoolSizes = sizes.data()};
-    auto pool = make<DescriptorPool>(context, context.call.vkCreateDescriptorPool, info,
-                                     "create descriptor pool");
-    if (!pool) return pool.error();
+    DescriptorPool pool = make<DescriptorPool>(context, context.call.vkCreateDescriptorPool, info,
+                                               "create descriptor pool");
 
-    const std::vector<VkDescriptorSetLayout> layouts(sets, layout);
-    DescriptorSets result{std::move(*pool), std::vector<VkDescriptorSet>(sets)};
+    const std::vector<VkDescriptorSetLayout> layouts(sets, interface.set_layout.get());
+    DescriptorSets result{std::move(pool), std::vector<VkDescriptorSet>(sets)};
     const VkDescriptorSetAllocateInfo allocation{.sType =
                                                      VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
                                                  .descriptorPool = result.pool.get(),
                                                  .descriptorSetCount = sets,
                                                  .pSetLayouts = layouts.data()};
-    const VkResult code = context.call.vkAllocateDescriptorSets(context.device.handle, &allocation,
-                                                                result.sets.data());
-    if (code != VK_SUCCESS) return Error{code, "allocate descriptor sets"};
+    check(context.call.vkAllocateDescriptorSets(context.device.handle, &allocation,
+                                                result.sets.data()),
+          "allocate descriptor sets");
     return result;
+}
+
+DescriptorSets make_descriptor_set(const Context& context, const Interface& interface,
+                                   std::span<const VkDescriptorType> bindings,
+                                   std::span<const Resource> resources) {
+    DescriptorSets made = make_descriptor_sets(context, interface, bindings, 1);
+    write_descriptor_set(context, made.sets[0], bindings, resources);
+    return made;
 }
 
 void write_descriptor_set(const Context& context, VkDescriptorSet set,

@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "vk/functions.h"
+#include "vk/debug.h"
+#include "vk/guard.h"
 #include "vk/unique.h"
 
 namespace lobelia::vk {
@@ -23,18 +24,16 @@ using ShaderModule = Object<VkShaderModule, &Functions::vkDestroyShaderModule>;
 
 /// Makes one Vulkan object: `create(device, create info, allocator, handle)`.
 template <class Owner, class Create, class Info>
-Result<Owner> make(const Context& context, Create create, const Info& info, const char* step) {
+Owner make(const Context& context, Create create, const Info& info, const char* step) {
     decltype(std::declval<Owner>().get()) handle = VK_NULL_HANDLE;
-    const VkResult code = create(context.device.handle, &info, context.device.allocator, &handle);
-    if (code != VK_SUCCESS) return Error{code, step};
+    check(create(context.device.handle, &info, context.device.allocator, &handle), step);
     return Owner(context, handle);
 }
 
-Result<ShaderModule> make_shader_module(const Context& context,
-                                        std::span<const std::uint32_t> spirv);
+ShaderModule make_shader_module(const Context& context, std::span<const std::uint32_t> spirv);
 
 /// A sampler that clamps to the edge, with one filter for everything.
-Result<Sampler> make_sampler(const Context& context, VkFilter filter);
+Sampler make_sampler(const Context& context, VkFilter filter);
 
 /// One descriptor set layout and pipeline layout: entry `i` of `bindings` is binding `i` of set 0,
 /// and `push_constant_size` bytes are visible to `stages`.
@@ -42,9 +41,9 @@ struct Interface {
     SetLayout set_layout;
     PipelineLayout layout;
 };
-Result<Interface> make_interface(const Context& context, VkShaderStageFlags stages,
-                                 std::span<const VkDescriptorType> bindings,
-                                 std::uint32_t push_constant_size);
+Interface make_interface(const Context& context, const char* name, VkShaderStageFlags stages,
+                         std::span<const VkDescriptorType> bindings,
+                         std::uint32_t push_constant_size);
 
 /// What one binding of a descriptor set refers to: an image (view, sampler, layout), a buffer, or a
 /// buffer read as texels.
@@ -68,14 +67,18 @@ inline Resource texel_buffer(VkBufferView view) {
     return {.texels = view};
 }
 
-/// A pool with `sets` descriptor sets of layout `layout`, whose binding `i` has type `bindings[i]`.
+/// A pool with `sets` descriptor sets for `interface`, whose binding `i` has type `bindings[i]`.
 struct DescriptorSets {
     DescriptorPool pool;
     std::vector<VkDescriptorSet> sets;
 };
-Result<DescriptorSets> make_descriptor_sets(const Context& context, VkDescriptorSetLayout layout,
-                                            std::span<const VkDescriptorType> bindings,
-                                            std::uint32_t sets);
+DescriptorSets make_descriptor_sets(const Context& context, const Interface& interface,
+                                    std::span<const VkDescriptorType> bindings, std::uint32_t sets);
+
+/// One such set, whose binding `i` refers to `resources[i]`.
+DescriptorSets make_descriptor_set(const Context& context, const Interface& interface,
+                                   std::span<const VkDescriptorType> bindings,
+                                   std::span<const Resource> resources);
 
 /// Points binding `i` of `set` (of type `bindings[i]`) to `resources[i]`.
 void write_descriptor_set(const Context& context, VkDescriptorSet set,

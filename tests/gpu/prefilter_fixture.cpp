@@ -11,10 +11,10 @@ constexpr std::uint32_t READ_SPIRV[] = {
 } // namespace
 
 vk::ComputePass PrefilterTest::make_reading(const vk::Context& context) {
-    return value_of(vk::make_compute_pass(context, {.name = "read prefiltered",
-                                                    .spirv = READ_SPIRV,
-                                                    .bindings = READ_BINDINGS,
-                                                    .push_constant_size = sizeof(ReadParams)}));
+    return vk::make_compute_pass(context, {.name = "read prefiltered",
+                                           .spirv = READ_SPIRV,
+                                           .bindings = READ_BINDINGS,
+                                           .push_constant_size = sizeof(ReadParams)});
 }
 
 std::vector<PrefilterTest::Average> PrefilterTest::read(const Prefiltered& made, std::size_t map,
@@ -24,8 +24,8 @@ std::vector<PrefilterTest::Average> PrefilterTest::read(const Prefiltered& made,
     auto* direction = reinterpret_cast<vec4*>(directions.data());
     for (const oracle::Direction& axis : axes) *direction++ = vec4(axis.x, axis.y, axis.z, 0);
 
-    const vk::DescriptorSets sets = value_of(
-        vk::make_descriptor_sets(context_, reading_.interface.set_layout.get(), READ_BINDINGS, 1));
+    const vk::DescriptorSets sets =
+        vk::make_descriptor_sets(context_, reading_.interface, READ_BINDINGS, 1);
     const vk::Resource resources[] = {vk::sampled_image(made.maps[map].view(), linear_.get()),
                                       vk::buffer_range(made.state.handle()),
                                       vk::buffer_range(directions.handle()),

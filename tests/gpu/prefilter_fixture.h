@@ -49,8 +49,8 @@ private:
         std::uint32_t spline;
     };
 
-    vk::Context context_ = value_of(vk::load(gpu.device()));
-    vk::Sampler linear_ = value_of(vk::make_sampler(context_, VK_FILTER_LINEAR));
+    vk::Context context_ = vk::load(gpu.device());
+    vk::Sampler linear_ = vk::make_sampler(context_, VK_FILTER_LINEAR);
     vk::ComputePass reading_ = make_reading(context_);
 
     static vk::ComputePass make_reading(const vk::Context& context);

@@ -68,14 +68,14 @@ protected:
             value_of(gpu.create_buffer(VALUES * bytes, storage, host::Memory::host));
         std::memcpy(input.data(), arguments.data(), bytes);
 
-        const vk::Context context = value_of(vk::load(gpu.device()));
+        const vk::Context context = vk::load(gpu.device());
         const vk::ComputePass pass =
-            value_of(vk::make_compute_pass(context, {.name = "shared functions",
-                                                     .spirv = SPIRV,
-                                                     .bindings = BINDINGS,
-                                                     .push_constant_size = sizeof sphere}));
-        const vk::DescriptorSets sets = value_of(
-            vk::make_descriptor_sets(context, pass.interface.set_layout.get(), BINDINGS, 1));
+            vk::make_compute_pass(context, {.name = "shared functions",
+                                            .spirv = SPIRV,
+                                            .bindings = BINDINGS,
+                                            .push_constant_size = sizeof sphere});
+        const vk::DescriptorSets sets =
+            vk::make_descriptor_sets(context, pass.interface, BINDINGS, 1);
         const vk::Resource resources[] = {vk::buffer_range(input.handle()),
                                           vk::buffer_range(output.handle())};
         vk::write_descriptor_set(context, sets.sets[0], BINDINGS, resources);

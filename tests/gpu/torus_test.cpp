@@ -57,16 +57,16 @@ protected:
         const host::GpuBuffer picture = storage(PIXELS * sizeof(float[4]));
         const host::GpuBuffer surfaces = storage(PIXELS * sizeof(Surface));
 
-        const vk::Context context = value_of(vk::load(gpu.device()));
+        const vk::Context context = vk::load(gpu.device());
         const std::array<std::uint32_t, 2> size{WIDTH, HEIGHT};
         const vk::ComputePass pass =
-            value_of(vk::make_compute_pass(context, {.name = "torus",
-                                                     .spirv = SPIRV,
-                                                     .bindings = BINDINGS,
-                                                     .push_constant_size = sizeof size}));
-        const vk::Sampler linear = value_of(vk::make_sampler(context, VK_FILTER_LINEAR));
-        const vk::DescriptorSets sets = value_of(
-            vk::make_descriptor_sets(context, pass.interface.set_layout.get(), BINDINGS, 1));
+            vk::make_compute_pass(context, {.name = "torus",
+                                            .spirv = SPIRV,
+                                            .bindings = BINDINGS,
+                                            .push_constant_size = sizeof size});
+        const vk::Sampler linear = vk::make_sampler(context, VK_FILTER_LINEAR);
+        const vk::DescriptorSets sets =
+            vk::make_descriptor_sets(context, pass.interface, BINDINGS, 1);
         const vk::Resource resources[] = {vk::sampled_image(maps.images[0].view(), linear.get()),
                                           vk::sampled_image(maps.ladder->view(), linear.get()),
                                           vk::sampled_image(tables.view(), linear.get()),

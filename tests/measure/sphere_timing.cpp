@@ -38,8 +38,7 @@ SphereTimer::SphereTimer(host::Gpu& gpu, const host::GpuEnvironment& environment
     : gpu_(gpu),
       environment_(environment), view_{.material = material, .width = SIZE, .height = SIZE},
       target_(value_of(host::ColourTarget::create(gpu, SIZE, SIZE))),
-      context_(value_of(vk::load(gpu.device()))),
-      sampler_(value_of(vk::make_sampler(context_, VK_FILTER_LINEAR))),
+      context_(vk::load(gpu.device())), sampler_(vk::make_sampler(context_, VK_FILTER_LINEAR)),
       colours_(value_of(gpu.create_buffer(6 * 4 * sizeof(float), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                                           host::Memory::host))) {
     std::memset(colours_.data(), 0, colours_.size());
@@ -56,16 +55,17 @@ void SphereTimer::add_shader(const std::string& name, std::span<const std::uint3
     const VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, type};
     const std::uint32_t constants[] = {view_.material.diffuse[0] > 0.0f, 1, 1};
     auto pass = std::make_shared<vk::FullScreenPass>(
-        value_of(vk::make_full_screen_pass(context_, {.vertex_spirv = VERTEX_SPIRV,
-                                                      .fragment_spirv = spirv,
-                                                      .bindings = bindings,
-                                                      .push_constant_size = sizeof(SphereParams),
-                                                      .constants = constants,
-                                                      .render_pass = target_.render_pass(),
-                                                      .subpass = 0,
-                                                      .format = VK_FORMAT_UNDEFINED})));
-    auto sets = std::make_shared<vk::DescriptorSets>(value_of(
-        vk::make_descriptor_sets(context_, pass->interface.set_layout.get(), bindings, 1)));
+        vk::make_full_screen_pass(context_, {.name = "lobelia timing",
+                                             .vertex_spirv = VERTEX_SPIRV,
+                                             .fragment_spirv = spirv,
+                                             .bindings = bindings,
+                                             .push_constant_size = sizeof(SphereParams),
+                                             .constants = constants,
+                                             .render_pass = target_.render_pass(),
+                                             .subpass = 0,
+                                             .format = VK_FORMAT_UNDEFINED}));
+    auto sets = std::make_shared<vk::DescriptorSets>(
+        vk::make_descriptor_sets(context_, pass->interface, bindings, 1));
     const vk::Resource resources[] = {vk::sampled_image(environment_.cube.view(), sampler_.get()),
                                       resource};
     vk::write_descriptor_set(context_, sets->sets[0], bindings, resources);
