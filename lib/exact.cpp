@@ -256,11 +256,10 @@ void ExactJob::State::record_step(VkCommandBuffer commands, std::uint32_t step) 
     vk::begin_pass(context, commands, *pass, sets.sets[0], step_params);
     const std::uint32_t queries = step_params.end_query - step_params.first_query;
     context.call.vkCmdDispatch(commands, (queries + QUERIES - 1) / QUERIES, 1, 1);
-    vk::memory_barrier(
-        context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT,
-        VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT |
-            VK_PIPELINE_STAGE_HOST_BIT,
-        VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_HOST_READ_BIT);
+    vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                       VK_ACCESS_SHADER_WRITE_BIT, vk::ANY_STAGE | VK_PIPELINE_STAGE_HOST_BIT,
+                       VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT |
+                           VK_ACCESS_HOST_READ_BIT);
 }
 
 void ExactJob::record(VkCommandBuffer commands, std::uint32_t first,

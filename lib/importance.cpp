@@ -131,11 +131,10 @@ void ImportanceJob::State::record_step(VkCommandBuffer commands,
     const vk::Context& context = shared->context;
     vk::begin_pass(context, commands, shared->passes[settings.filtered], sets.sets[0], params);
     context.call.vkCmdDispatch(commands, parts(queries, GROUP_SIZE), 1, 1);
-    vk::memory_barrier(
-        context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT,
-        VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT |
-            VK_PIPELINE_STAGE_HOST_BIT,
-        VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_HOST_READ_BIT);
+    vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                       VK_ACCESS_SHADER_WRITE_BIT, vk::ANY_STAGE | VK_PIPELINE_STAGE_HOST_BIT,
+                       VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT |
+                           VK_ACCESS_HOST_READ_BIT);
 }
 
 void ImportanceJob::record(VkCommandBuffer commands, std::uint32_t first,

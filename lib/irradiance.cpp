@@ -128,10 +128,8 @@ void IrradianceJob::record(VkCommandBuffer commands) const noexcept {
     const std::uint32_t shift = part_shift(state_->size);
     const std::uint32_t size = state_->size << shift;
     // What read the buffers before must have ended.
-    vk::memory_barrier(context, commands,
-                       VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
-                       VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                       VK_ACCESS_SHADER_WRITE_BIT);
+    vk::memory_barrier(context, commands, vk::ANY_STAGE, VK_ACCESS_SHADER_WRITE_BIT,
+                       VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT);
     vk::begin_pass(context, commands, shared.rows, state_->rows_set.sets[0],
                    RowsParams{size, shift});
     context.call.vkCmdDispatch(commands, (size + GROUP_SIZE - 1) / GROUP_SIZE, FACES, 1);
@@ -145,11 +143,10 @@ void IrradianceJob::record(VkCommandBuffer commands) const noexcept {
     vk::begin_pass(context, commands, shared.sum, state_->sum_set.sets[0],
                    SumParams{.from = faces, .to = 0, .count = FACES, .last = 1});
     context.call.vkCmdDispatch(commands, 1, 1, 1);
-    vk::memory_barrier(
-        context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT,
-        VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT |
-            VK_PIPELINE_STAGE_HOST_BIT,
-        VK_ACCESS_UNIFORM_READ_BIT | VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_HOST_READ_BIT);
+    vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                       VK_ACCESS_SHADER_WRITE_BIT, vk::ANY_STAGE | VK_PIPELINE_STAGE_HOST_BIT,
+                       VK_ACCESS_UNIFORM_READ_BIT | VK_ACCESS_SHADER_READ_BIT |
+                           VK_ACCESS_HOST_READ_BIT);
 }
 
 } // namespace lobelia

@@ -86,9 +86,7 @@ void MapReaderJob::record(VkCommandBuffer commands) const noexcept {
         context.call.vkCmdDispatch(commands, std::min(groups, MOST_GROUPS), 1, 1);
     }
     vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                       VK_ACCESS_SHADER_WRITE_BIT,
-                       VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT |
-                           VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_HOST_BIT,
+                       VK_ACCESS_SHADER_WRITE_BIT, vk::ANY_STAGE | VK_PIPELINE_STAGE_HOST_BIT,
                        VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_HOST_READ_BIT);
 }
 

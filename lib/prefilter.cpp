@@ -129,9 +129,8 @@ std::vector<vk::Resource> PrefilterJob::State::resources(const PlannedPass& plan
 
 void PrefilterJob::State::begin(VkCommandBuffer commands) const noexcept {
     const vk::Context& context = shared->context;
-    vk::memory_barrier(context, commands,
-                       VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
-                       VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+    vk::memory_barrier(context, commands, vk::ANY_STAGE, VK_ACCESS_SHADER_WRITE_BIT,
+                       VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
                        VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT);
     for (const VkImage map : map_images)
         vk::image_barrier(context, commands, map, vk::DISCARDED, vk::STORED);
@@ -139,15 +138,13 @@ void PrefilterJob::State::begin(VkCommandBuffer commands) const noexcept {
 
 // What the state buffer says of a ladder may be from the plan that made the levels.
 void PrefilterJob::State::tell_ladder(VkCommandBuffer commands) const noexcept {
-    constexpr VkPipelineStageFlags SHADERS =
-        VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT;
     const vk::Context& context = shared->context;
-    vk::memory_barrier(context, commands, SHADERS, VK_ACCESS_SHADER_WRITE_BIT,
+    vk::memory_barrier(context, commands, vk::ANY_STAGE, VK_ACCESS_SHADER_WRITE_BIT,
                        VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT);
     context.call.vkCmdUpdateBuffer(commands, state, LADDER_LOWEST_OFFSET, sizeof(float),
                                    &plan.state().ladder.lowest);
     vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
-                       VK_ACCESS_TRANSFER_WRITE_BIT, SHADERS,
+                       VK_ACCESS_TRANSFER_WRITE_BIT, vk::ANY_STAGE,
                        VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_UNIFORM_READ_BIT);
 }
 
@@ -156,8 +153,7 @@ void PrefilterJob::State::end(VkCommandBuffer commands) const noexcept {
     for (const VkImage map : map_images)
         vk::image_barrier(context, commands, map, vk::STORED, vk::SAMPLED);
     vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                       VK_ACCESS_SHADER_WRITE_BIT,
-                       VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
+                       VK_ACCESS_SHADER_WRITE_BIT, vk::ANY_STAGE,
                        VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_UNIFORM_READ_BIT);
 }
 

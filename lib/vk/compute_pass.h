@@ -35,19 +35,22 @@ void begin_pass(const Context& context, VkCommandBuffer commands, const ComputeP
                                     &params);
 }
 
+/// The stages that may read what a pass writes, or write it anew. A queue without graphics refuses
+/// the name of fragment shaders, so nothing is named.
+constexpr VkPipelineStageFlags ANY_STAGE = VK_PIPELINE_STAGE_ALL_COMMANDS_BIT;
+
 /// How one image is used: the stage, its access, and the layout that goes with them.
 struct ImageUse {
     VkPipelineStageFlags stage;
     VkAccessFlags access;
     VkImageLayout layout;
 };
-constexpr ImageUse DISCARDED{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_ACCESS_MEMORY_WRITE_BIT,
+constexpr ImageUse DISCARDED{ANY_STAGE, VK_ACCESS_MEMORY_WRITE_BIT,
                              VK_IMAGE_LAYOUT_UNDEFINED}; // whatever it was before
 constexpr ImageUse STORED{VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT,
                           VK_IMAGE_LAYOUT_GENERAL};
-constexpr ImageUse SAMPLED{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT |
-                               VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                           VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+constexpr ImageUse SAMPLED{ANY_STAGE, VK_ACCESS_SHADER_READ_BIT,
+                           VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
 
 /// Moves all layers of `levels` levels of a colour image, `first_level` on, from one use to the
 /// next.
