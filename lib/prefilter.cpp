@@ -13,6 +13,7 @@ constexpr std::uint32_t FACES = 6;
 constexpr std::uint32_t GROUP_SIZE = 8;           // local_size_x and _y of all but the next two
 constexpr std::uint32_t TILE_SIZE = 8;            // of statistics.comp
 constexpr std::uint32_t SUM_GROUP_SIZE = 64;      // of sum.comp
+constexpr std::uint32_t EXPAND_TEXELS = 4;        // of an invocation of expand.comp
 constexpr std::uint32_t BROAD_GROUP_SIZE = 4;     // of broad.comp; suns.comp is one group
 constexpr VkDeviceSize LADDER_LOWEST_OFFSET = 12; // bytes, in PrefilterState of lobelia/suns.glsl
 
@@ -211,7 +212,8 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
         const std::uint32_t across = to_map ? plan.state().across(planned.maps[0]) : size;
         dispatch(BlurParams{from.size, from.margin, size, level(planned.target).margin, across,
                             float(planned.kernel.sharpness), float(planned.kernel.quadratic),
-                            float(planned.kernel.last_chord), float(planned.narrowing)},
+                            float(planned.kernel.last_chord), float(planned.narrowing),
+                            float(planned.drift), float(edge_excess(from))},
                  groups(size / 2, GROUP_SIZE), 1);
         break;
     }
@@ -236,12 +238,14 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
                             {}};
         std::copy(planned.values.begin(), planned.values.end(), params.eigenvalues.begin());
         vk::begin_pass(context, commands, compute, set, params);
-        context.call.vkCmdDispatch(commands, groups(3 * size * size / 4, SUM_GROUP_SIZE), 1, 1);
+        context.call.vkCmdDispatch(
+            commands, groups(3 * size * size / 4 / EXPAND_TEXELS, SUM_GROUP_SIZE), 1, 1);
         break;
     }
     case PlannedPass::Kind::broad: {
         const std::uint32_t size = plan.state().maps[planned.maps[0]].size;
-        BroadParams params{{}, level(planned.source).size, size, float(planned.narrowing)};
+        const ChainLevel& from = level(planned.source);
+        BroadParams params{{}, from.size, size, float(planned.narrowing), float(edge_excess(from))};
         std::copy(planned.values.begin(), planned.values.end(), params.exponents.begin());
         dispatch(params, groups(size, BROAD_GROUP_SIZE), 1);
         break;

@@ -29,7 +29,7 @@ struct HalveParams {
 };
 struct BlurParams {
     std::uint32_t source_size, source_margin, size, margin, across;
-    float sharpness, quadratic, last_chord, narrowing;
+    float sharpness, quadratic, last_chord, narrowing, drift, edge;
 };
 struct ProjectParams {
     std::uint32_t size, margin;
@@ -45,7 +45,7 @@ struct ExpandParams {
 struct BroadParams {
     std::array<float, BROAD_MAPS> exponents;
     std::uint32_t source_size, size;
-    float narrowing;
+    float narrowing, edge;
 };
 
 /// Which of the pipelines of its kind a pass runs.

@@ -1,5 +1,7 @@
 #include "prefilter_plan.h"
 
+#include <algorithm>
+
 #include <lobelia/lobe.h>
 
 #include "vk/guard.h"
@@ -17,6 +19,14 @@ constexpr float LARGEST_LADDER = 4.1e6f; // what taps ask of the sharpest lobe
 VkDeviceSize ChainLevel::bytes() const {
     const VkDeviceSize stride = size + 2 * margin;
     return 6 * stride * stride * TEXEL_BYTES;
+}
+
+double edge_excess(const ChainLevel& level) {
+    // The Euler-Maclaurin formula's first term for a level of samples, which equals that of
+    // averages over texels; a wider blur in the face's plane adds to it as its variance.
+    const double texel = 2.0 / level.size;
+    const double variance = std::max(level.face_variance, texel * texel / 12);
+    return 1.5 * variance / texel;
 }
 
 std::uint32_t sun_window(std::uint32_t size) {
@@ -138,7 +148,7 @@ PrefilterPass PrefilterPlan::pass(std::uint32_t index) const noexcept {
                 state_->terms_bytes};
     case PlannedPass::Kind::sum: return {"sum", TERMS, state_->terms_bytes, terms};
     case PlannedPass::Kind::expand:
-        return {"expand", texels(state_->maps[planned.maps[0]].size) / 8, terms,
+        return {"expand", texels(state_->maps[planned.maps[0]].size) / 16, terms,
                 map(planned.maps[0])};
     case PlannedPass::Kind::broad: break;
     }

@@ -53,6 +53,7 @@ struct PlannedPass {
     std::vector<std::uint32_t> maps;
     Kernel kernel{};
     double narrowing = 0;       // face variance the kernel leaves out
+    double drift = 0;           // and how far that draws towards the face's centre
     std::vector<double> values; // exponents of a broad pass, eigenvalues of an expansion
 };
 
@@ -76,6 +77,10 @@ struct PrefilterPlan::State {
     VkDeviceSize terms_offset, terms_bytes; // partial sums of spherical harmonics
     VkDeviceSize scratch_bytes;
 };
+
+/// What sums over a level's texel middles take too much along the faces' edges, as a share of the
+/// weight there times the squared distance of the face's plane: docs/prefilter.md.
+double edge_excess(const ChainLevel& level);
 
 constexpr std::uint32_t MOST_SUNS = 8; // as in lobelia/suns.glsl
 

@@ -193,12 +193,14 @@ private:
         ChainLevel& source = plan_.levels[pass.source];
         const double variance = 1 / exponent - 1 / source.exponent;
         pass.narrowing = source.face_variance + reading;
+        pass.drift = 4 * source.face_variance + reading;
         const double left = variance - pass.narrowing;
         const double texel = 2.0 / source.size;
         if (left < 0.25 * texel * texel) {
             // Sharper than the source: the source's nearest texels, at least one.
             pass.kernel = {10 / (texel * texel), 0.5, 0.5 * texel * texel};
             pass.narrowing = 0;
+            pass.drift = 0;
             return;
         }
         const bool sharp = pass.kind == PlannedPass::Kind::blur_map && exponent >= SHARP_EXPONENT;

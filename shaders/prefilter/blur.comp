@@ -29,6 +29,8 @@ layout(push_constant) uniform Params {
     float quadratic;
     float last_chord; // where the kernel ends
     float narrowing;  // variance that other filters add in the face's plane, in its coordinates
+    float drift;      // that they draw towards the face's centre, see aim()
+    float edge;       // what texels along the faces' edges weigh too much, see chart_point()
 };
 
 const int PLACES = 4;
@@ -45,6 +47,7 @@ vec3 sums[PLACES * FACES];
 // The kernel's variance is 1 / sharpness less what other filters add: narrowing / r^4 along the
 // radial and narrowing / r^2 across it, r the distance of the face's plane.
 void place(int i, vec2 at) {
+    at = aim(at, drift);
     float square = 1.0 + dot(at, at);
     directions[i] = vec3(at, 1.0) * inversesqrt(square);
     float off_centre = dot(at, at);
@@ -116,10 +119,15 @@ void add_row(int y, vec2 reach) {
     int beyond = y < 0 || y >= int(source_size) ? 0 : margin_;
     int first = max(int(floor((reach.x + 1.0) / width)), -beyond) & ~1;
     int end = min(int(ceil((reach.y + 1.0) / width)), int(source_size) + beyond);
+    int last = int(source_size) - 1;
+    float row_edge = y == -1 || y == 0 || y == last || y == last + 1 ? edge : 0.0;
     for (int x = first; x < end; x += 2) {
         float weights[2 * PLACES];
+        // Pairs are even: the edges run before and behind them.
+        float edges[] = float[](x == 0 || x == last + 1 ? row_edge + edge : row_edge,
+                                x == -2 || x == last - 1 ? row_edge + edge : row_edge);
         [[unroll]] for (int k = 0; k < 2; ++k) {
-            ChartPoint tap = chart_point((vec2(x + k, y) + 0.5) * width - 1.0);
+            ChartPoint tap = chart_point((vec2(x + k, y) + 0.5) * width - 1.0, edges[k]);
             [[unroll]] for (int i = 0; i < PLACES; ++i) {
                 float weight = kernel(i, tap);
                 weight_sums[i] += weight;
@@ -139,7 +147,7 @@ void main() {
     [[unroll]] for (int i = 0; i < PLACES * FACES; ++i) sums[i] = vec3(0.0);
 
     // One cap holds the caps of the four places.
-    vec2 middle_place = 0.5 * (map_place(corner, size, across) + map_place(corner + 1u, size, across));
+    vec2 middle_place = aim(0.5 * (map_place(corner, size, across) + map_place(corner + 1u, size, across)), drift);
     vec3 centre = normalize(vec3(middle_place, 1.0));
     float reach = sqrt(2.0 * last_chord) + 1.42 / float(across); // chord lengths, no shorter than needed
     float cosine = 1.0 - 0.5 * reach * reach;

@@ -4,7 +4,6 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 
-#include "lobelia/lobe.glsl"
 #include "prefilter/chart.glsl"
 #include "prefilter/map.glsl"
 
@@ -20,24 +19,22 @@ layout(set = 0, binding = 4, MAP_FORMAT) uniform writeonly image2DArray map_3;
 
 const int MOST_MAPS = 4;
 const int FACES = 6;
-const float LOG2_E = 1.4426950408889634;
 
 layout(push_constant) uniform Params {
     vec4 exponents; // of the kernels
     uint source_size; // even
     uint size;        // of the maps
     float narrowing;  // variance that reading the maps adds in the face's plane, as in blur.comp
+    float edge;       // as there
 };
 
 vec3 sums[MOST_MAPS * FACES];
 float weight_sums[MOST_MAPS];
-float around[MOST_MAPS]; // exponent across the radial
-float along[MOST_MAPS];  // what the exponent has more or less along it, times log2(e) / 2
+float narrow[MOST_MAPS]; // exponents less what reading blurs across the radial
+vec3 centres[2];         // of kernels that are averaged: along the radial reading blurs less
 
-// max(0, cosine)^n over one texel: where the lobe's edge cuts it, averaged over its width.
-float texel_power(float chord, float log2_cosine, float n, float width) {
-    float cosine = 1.0 - chord;
-    if (n >= 2.0 || abs(cosine) > width) return chord < 1.0 ? exp2(n * log2_cosine) : 0.0;
+// max(0, cosine)^n averaged over a texel's width: the lobe is not smooth at its edge.
+float texel_power(float cosine, float n, float width) {
     float high = max(cosine + 0.5 * width, 0.0);
     float low = max(cosine - 0.5 * width, 0.0);
     float difference = (high > 0.0 ? exp2((n + 1.0) * log2(high)) : 0.0) -
@@ -48,19 +45,19 @@ float texel_power(float chord, float log2_cosine, float n, float width) {
 // Adds a pair of neighbouring texels, whose directions in the face's own frame are `taps`, to every
 // face. `elements[i]` is where the pair lies for the faces of axis i: an opposite face is mirrored.
 // `across` is 1 where the pair is on the opposite face, whose number differs in the last bit.
-void add_pair(vec3 centre, vec3 radial, ChartPoint taps[2], ivec3 elements, bvec3 swapped, int across) {
+void add_pair(ChartPoint taps[2], ivec3 elements, bvec3 swapped, int across) {
     float width = 2.0 / float(source_size);
     float weights[2 * MOST_MAPS];
     for (int k = 0; k < 2; ++k) {
-        vec3 difference = taps[k].direction - centre;
-        float chord = 0.5 * dot(difference, difference);
-        float log2_cosine = chord < 1.0 ? log2_one_minus(chord) : 0.0;
-        float off = dot(taps[k].direction, radial);
-        for (int i = 0; i < MAPS; ++i) {
-            float weight = texel_power(chord, log2_cosine, around[i], width) * taps[k].density;
-            weights[2 * i + k] = weight * exp2(-along[i] * off * off);
-            weight_sums[i] += weights[2 * i + k];
+        for (int i = 0; i < MAPS; ++i) weights[2 * i + k] = 0.0;
+        [[unroll]] for (int c = 0; c < 2; ++c) {
+            vec3 difference = taps[k].direction - centres[c];
+            float cosine = 1.0 - 0.5 * dot(difference, difference);
+            for (int i = 0; i < MAPS; ++i) {
+                weights[2 * i + k] += texel_power(cosine, narrow[i], width) * taps[k].density;
+            }
         }
+        for (int i = 0; i < MAPS; ++i) weight_sums[i] += weights[2 * i + k];
     }
     [[unroll]] for (int face = 0; face < FACES; ++face) {
         int face_size = int(9u * source_size * source_size / 2u);
@@ -74,6 +71,21 @@ void add_pair(vec3 centre, vec3 radial, ChartPoint taps[2], ivec3 elements, bvec
     }
 }
 
+// The exponent whose lobe has the first eigenvalue of another before a blur of that variance.
+float narrowed(float exponent, float variance) {
+    float eigenvalue = (exponent + 1.0) / (exponent + 2.0) * (1.0 + variance);
+    return (2.0 * eigenvalue - 1.0) / (1.0 - eigenvalue);
+}
+
+ChartPoint tap_at(ivec2 texel) {
+    int n = int(source_size);
+    ivec2 on_face = (texel + n) % n;
+    float edges = 0.0;
+    if (on_face.x == 0 || on_face.x == n - 1) edges += edge;
+    if (on_face.y == 0 || on_face.y == n - 1) edges += edge;
+    return chart_point((vec2(texel) + 0.5) * 2.0 / float(n) - 1.0, edges);
+}
+
 vec4 average_texel(int map, int face) {
     return map_texel(sums[map * FACES + face] / weight_sums[map]);
 }
@@ -81,30 +93,27 @@ vec4 average_texel(int map, int face) {
 void main() {
     uvec2 at = gl_GlobalInvocationID.xy;
     if (at.x >= size || at.y >= size) return;
-    vec2 place = (vec2(at) + 0.5) * 2.0 / float(size) - 1.0;
-    vec3 centre = normalize(vec3(place, 1.0));
-    float off_centre = dot(place, place);
-    float square = 1.0 + off_centre;
-    vec3 radial = off_centre > 0.0 ? vec3(place, -off_centre) * inversesqrt(off_centre * square)
-                                   : vec3(0.0);
+    vec2 place = aim(map_place(at, size, size), narrowing);
+    float square = 1.0 + dot(place, place);
+    vec3 towards = vec3(place, 1.0);
+    vec3 apart = radial_difference(place, narrowing);
+    centres[0] = normalize(towards + apart);
+    centres[1] = normalize(towards - apart);
     for (int i = 0; i < MAPS * FACES; ++i) sums[i] = vec3(0.0);
     for (int i = 0; i < MAPS; ++i) {
-        float n = exponents[i];
-        around[i] = n / (1.0 - n * narrowing / square);
-        along[i] = 0.5 * LOG2_E * (n / (1.0 - n * narrowing / (square * square)) - around[i]);
+        narrow[i] = narrowed(exponents[i], narrowing / square);
         weight_sums[i] = 0.0;
     }
 
     int n = int(source_size);
     int stride = 3 * n;
-    float width = 2.0 / float(n);
     for (int y = -n; y < 2 * n; ++y) {
         bool across = y >= 0 && y < n; // rows beyond the face have no corners
         for (int x = across ? -n : 0; x < (across ? 2 * n : n); x += 2) {
             ChartPoint taps[2];
-            for (int k = 0; k < 2; ++k) taps[k] = chart_point((vec2(x + k, y) + 0.5) * width - 1.0);
+            for (int k = 0; k < 2; ++k) taps[k] = tap_at(ivec2(x + k, y));
             int element = ((y + n) * stride + x + n) / 2;
-            add_pair(centre, radial, taps, ivec3(element), bvec3(false), 0);
+            add_pair(taps, ivec3(element), bvec3(false), 0);
         }
     }
     // The opposite face: seen from the faces of the X and Z axes it is mirrored left to right, from
@@ -113,12 +122,12 @@ void main() {
         for (int x = 0; x < n; x += 2) {
             ChartPoint taps[2];
             for (int k = 0; k < 2; ++k) {
-                taps[k] = chart_point((vec2(x + k, y) + 0.5) * width - 1.0);
+                taps[k] = tap_at(ivec2(x + k, y));
                 taps[k].direction.z = -taps[k].direction.z;
             }
             int left_right = ((y + n) * stride + 2 * n - 2 - x) / 2;
             int top_bottom = ((2 * n - 1 - y) * stride + x + n) / 2;
-            add_pair(centre, radial, taps, ivec3(left_right, top_bottom, left_right),
+            add_pair(taps, ivec3(left_right, top_bottom, left_right),
                      bvec3(true, false, true), 1);
         }
     }

@@ -1,6 +1,7 @@
 // A map of a low exponent from spherical harmonics: each degree times the lobe's eigenvalue.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 
 #include "prefilter/chart.glsl"
 #include "prefilter/harmonics.glsl"
@@ -32,78 +33,98 @@ void load_terms() {
     barrier();
 }
 
-// What reading blurs at `square`, the squared distance of the face's plane there, beyond the share of
-// it that is in the eigenvalues: half the variance, taken as the same along the radial and across it.
-float reading_beyond_mean(float square) {
-    float here = 0.5 * (1.0 / square + 1.0 / (square * square));
-    return 0.5 * reading * (here - MEAN_READING);
+// Four texels an invocation, so that a term once fetched serves them all, and two points a texel, which
+// are averaged: the degrees leave out what reading blurs across the radial, but along it reading blurs
+// less, which the points' distance gives back.
+const int TEXELS = 4;
+const int POINTS = 2 * TEXELS;
+
+vec3 directions[POINTS];
+vec2 powers[POINTS]; // (x + i y)^m
+float before[POINTS];
+float here[POINTS]; // the recurrence's last two values
+float excesses[TEXELS];
+vec3 order_sums[4 * POINTS]; // of an order's even and odd l + m, real parts and imaginary ones
+// By the kind of harmonic: whether m, and whether l + m, is odd.
+vec3 real[4 * TEXELS];
+vec3 imaginary[4 * TEXELS];
+
+void begin_texel(int texel, uint index, uint size) {
+    vec2 place = aim(octant_place(index, size, size_across >> 16), reading);
+    float square = 1.0 + dot(place, place);
+    vec3 towards = octant_direction(index, size, place);
+    vec3 apart = octant_vector(index, size, radial_difference(place, reading));
+    directions[2 * texel] = normalize(towards + apart);
+    directions[2 * texel + 1] = normalize(towards - apart);
+    excesses[texel] = 0.5 * reading * (1.0 / square - MEAN_READING);
+    for (int kind = 0; kind < 4; ++kind) {
+        real[4 * texel + kind] = vec3(0.0);
+        imaginary[4 * texel + kind] = vec3(0.0);
+    }
 }
 
-// What that makes of a harmonic of degree l when it is left out: exp(l (l + 1) excess).
+// What reading blurs of a harmonic of degree l, beyond the share that is in the eigenvalues, when it is
+// left out: exp(l (l + 1) excess).
 float sharpened(int l, float excess) {
     float x = float(l * (l + 1)) * excess;
     return 1.0 + x * (1.0 + 0.5 * x);
 }
 
-// The sums over l of one order at height z, for even and odd l + m.
-struct Order {
-    vec3 real[2];
-    vec3 imaginary[2];
-};
-
-Order sum_order(int m, float z, float excess) {
-    Order sums = Order(vec3[](vec3(0.0), vec3(0.0)), vec3[](vec3(0.0), vec3(0.0)));
-    int index = term(m, m);
-    float before = 0.0;
-    float here = scaled[index].real.w;
-    for (int l = m; l <= degree; l += 2) {
-        float even = here * sharpened(l, excess);
-        sums.real[0] += even * scaled[index].real.rgb;
-        sums.imaginary[0] += even * scaled[index].imaginary.rgb;
-        if (l == degree) break;
-        ++index;
-        before = scaled[index].real.w * (z * here - scaled[index].imaginary.w * before);
-        float odd = before * sharpened(l + 1, excess);
-        sums.real[1] += odd * scaled[index].real.rgb;
-        sums.imaginary[1] += odd * scaled[index].imaginary.rgb;
-        if (l + 1 == degree) break;
-        ++index;
-        here = scaled[index].real.w * (z * before - scaled[index].imaginary.w * here);
+void add_term(int l, int odd, Term entry) {
+    float sharp[TEXELS];
+    [[unroll]] for (int i = 0; i < TEXELS; ++i) sharp[i] = sharpened(l, excesses[i]);
+    [[unroll]] for (int i = 0; i < POINTS; ++i) {
+        float value = entry.real.w * (directions[i].z * here[i] - entry.imaginary.w * before[i]);
+        before[i] = here[i];
+        here[i] = value;
+        order_sums[4 * i + odd] += value * sharp[i / 2] * entry.real.rgb;
+        order_sums[4 * i + 2 + odd] += value * sharp[i / 2] * entry.imaginary.rgb;
     }
-    return sums;
+}
+
+void add_order(int m) {
+    [[unroll]] for (int i = 0; i < 4 * POINTS; ++i) order_sums[i] = vec3(0.0);
+    [[unroll]] for (int i = 0; i < POINTS; ++i) {
+        before[i] = 1.0;
+        here[i] = 0.0;
+    }
+    int index = term(m, m);
+    for (int l = m; l <= degree; l += 2) {
+        add_term(l, 0, scaled[index]);
+        if (l == degree) break;
+        add_term(l + 1, 1, scaled[index + 1]);
+        index += 2;
+    }
+    int kind = 2 * (m & 1);
+    [[unroll]] for (int i = 0; i < POINTS; ++i) {
+        [[unroll]] for (int odd = 0; odd < 2; ++odd) {
+            real[4 * (i / 2) + kind + odd] += powers[i].x * order_sums[4 * i + odd];
+            imaginary[4 * (i / 2) + kind + odd] += powers[i].y * order_sums[4 * i + 2 + odd];
+        }
+        vec3 d = directions[i];
+        powers[i] = vec2(powers[i].x * d.x - powers[i].y * d.y, powers[i].x * d.y + powers[i].y * d.x);
+    }
+}
+
+void store_mirrored(int texel, uint index, uint size) {
+    for (uint octant = 0u; octant < 8u; ++octant) {
+        vec3 sum = vec3(0.0);
+        [[unroll]] for (int kind = 0; kind < 4; ++kind) {
+            sum += real_sign(octant, kind / 2, kind & 1) * real[4 * texel + kind] +
+                   imaginary_sign(octant, kind / 2, kind & 1) * imaginary[4 * texel + kind];
+        }
+        uvec3 at = mirrored_texel(index, octant, size);
+        imageStore(map, ivec3(at), map_texel(max(0.5 * sum, 0.0)));
+    }
 }
 
 void main() {
     load_terms();
-    uint index = gl_GlobalInvocationID.x;
+    uint index = uint(TEXELS) * gl_GlobalInvocationID.x;
     uint size = size_across & 0xffffu;
     if (index >= 3u * size * size / 4u) return;
-    vec3 towards = octant_direction(index, size, size_across >> 16);
-    vec3 direction = normalize(towards);
-    float excess = reading_beyond_mean(dot(towards, towards));
-
-    // Sums by the kind of harmonic: whether m, and whether l + m, is odd.
-    vec3 real[4] = vec3[](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-    vec3 imaginary[4] = vec3[](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-    vec2 power = vec2(1.0, 0.0); // (x + i y)^m
-    for (int m = 0; m <= degree; ++m) {
-        Order order = sum_order(m, direction.z, excess);
-        int kind = 2 * (m & 1);
-        real[kind] += power.x * order.real[0];
-        real[kind + 1] += power.x * order.real[1];
-        imaginary[kind] += power.y * order.imaginary[0];
-        imaginary[kind + 1] += power.y * order.imaginary[1];
-        power = vec2(power.x * direction.x - power.y * direction.y,
-                     power.x * direction.y + power.y * direction.x);
-    }
-
-    for (uint octant = 0u; octant < 8u; ++octant) {
-        vec3 sum = vec3(0.0);
-        for (int kind = 0; kind < 4; ++kind) {
-            sum += real_sign(octant, kind / 2, kind & 1) * real[kind] +
-                   imaginary_sign(octant, kind / 2, kind & 1) * imaginary[kind];
-        }
-        uvec3 texel = mirrored_texel(index, octant, size);
-        imageStore(map, ivec3(texel), map_texel(max(sum, 0.0)));
-    }
+    [[unroll]] for (int i = 0; i < TEXELS; ++i) begin_texel(i, index + uint(i), size);
+    [[unroll]] for (int i = 0; i < POINTS; ++i) powers[i] = vec2(1.0, 0.0);
+    for (int m = 0; m <= degree; ++m) add_order(m);
+    [[unroll]] for (int i = 0; i < TEXELS; ++i) store_mirrored(i, index + uint(i), size);
 }

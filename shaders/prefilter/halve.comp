@@ -36,7 +36,7 @@ void main() {
                 if (column < 0 || column > 3) continue;
                 float x = (float(2 * int(texel.x) + column) - 0.5) * width - 1.0;
                 float weight = (column == 1 || column == 2 ? 3.0 : 1.0) *
-                               (j == 1u || j == 2u ? 3.0 : 1.0) * chart_point(vec2(x, y)).density;
+                               (j == 1u || j == 2u ? 3.0 : 1.0) * chart_point(vec2(x, y), 0.0).density;
                 if (weight == 0.0) continue; // nothing lies beyond a corner
                 uvec2 halves = k == 0u ? pair.xy : pair.zw;
                 sum += weight * UNPACKED * unpack_texel(halves);

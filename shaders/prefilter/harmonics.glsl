@@ -33,7 +33,8 @@ float descent(int l, int m) {
 }
 
 // A term's coefficients: of the real part and of the imaginary part, R G B. In w the recurrence's
-// ascent (for l = m the order's first function) and descent.
+// ascent and descent, where l = m such that the recurrence starts with the order's first function from 1
+// and 0.
 struct Term {
     vec4 real;
     vec4 imaginary;
@@ -58,19 +59,27 @@ uvec3 octant_texel(uint index, uint size) {
     return uvec3(index / (half_size * half_size), index % half_size, index / half_size % half_size);
 }
 
-// Its direction, of length over 1; for `across` see map_place().
-vec3 octant_direction(uint index, uint size, uint across) {
-    uvec3 texel = octant_texel(index, size);
-    float a = float(2u * texel.y + 1u) / float(across);
-    float b = float(2u * texel.z + 1u) / float(across);
-    return texel.x == 0u ? vec3(1.0, a, b) : texel.x == 1u ? vec3(b, 1.0, a) : vec3(a, b, 1.0);
+// Its place on the face; for `across` see map_place().
+vec2 octant_place(uint index, uint size, uint across) {
+    return vec2(2u * octant_texel(index, size).yz + 1u) / float(across);
+}
+
+// The vector of a point in the frame of its face: those two axes, and forward.
+vec3 octant_vector(uint index, uint size, vec3 point) {
+    uint axis = octant_texel(index, size).x;
+    return axis == 0u ? point.zxy : axis == 1u ? point.yzx : point;
+}
+
+// The direction of a place on its face, of length over 1.
+vec3 octant_direction(uint index, uint size, vec2 at) {
+    return octant_vector(index, size, vec3(at, 1.0));
 }
 
 // The texel in the mirrored direction: x, y and the face.
 uvec3 mirrored_texel(uint index, uint octant, uint size) {
     uint axis = octant_texel(index, size).x;
     uint face = 2u * axis + ((octant >> axis) & 1u);
-    vec3 direction = octant_direction(index, size, size);
+    vec3 direction = octant_direction(index, size, octant_place(index, size, size));
     vec3 mirrored = vec3((octant & 1u) != 0u ? -direction.x : direction.x,
                          (octant & 2u) != 0u ? -direction.y : direction.y,
                          (octant & 4u) != 0u ? -direction.z : direction.z);

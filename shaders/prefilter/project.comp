@@ -79,7 +79,7 @@ void main() {
 
     for (uint i = 0u; i < CHUNK; ++i) {
         uint index = gl_WorkGroupID.x * CHUNK + i;
-        vec3 towards = octant_direction(index, size, size);
+        vec3 towards = octant_direction(index, size, octant_place(index, size, size));
         // The light of the eight texels, added with the signs of the harmonics of even and odd degree.
         vec3 real_light[2] = vec3[](vec3(0.0), vec3(0.0));
         vec3 imaginary_light[2] = vec3[](vec3(0.0), vec3(0.0));
@@ -117,6 +117,6 @@ void main() {
         vec3 real_sum = real[l] * texel_area;
         if (l == 0 && gl_WorkGroupID.x == 0u) real_sum += even / first; // 1 / first is sqrt(4 pi)
         partials[base + uint(term(l, m))] =
-            Term(vec4(real_sum, ascending), vec4(imaginary[l] * texel_area, down[l]));
+            Term(vec4(real_sum, ascending), vec4(imaginary[l] * texel_area, l == m ? -1.0 : down[l]));
     }
 }

@@ -32,20 +32,23 @@ struct Wanted {
     std::vector<float> exponents;
     bool lambert = false;
     Quality quality = Quality::normal;
+    VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT;
 };
 
 inline PrefilterPlan plan_for(const Wanted& wanted, std::uint32_t source_size) {
     return value_of(PrefilterPlan::make({.exponents = wanted.exponents,
                                          .lambert = wanted.lambert,
                                          .quality = wanted.quality,
+                                         .map_format = wanted.format,
                                          .source_size = source_size}));
 }
 
-inline std::vector<host::GpuImage> images_for(host::Gpu& gpu, const PrefilterPlan& plan) {
+inline std::vector<host::GpuImage> images_for(host::Gpu& gpu, const PrefilterPlan& plan,
+                                              VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT) {
     std::vector<host::GpuImage> images;
     for (const PrefilteredMap& map : plan.maps())
         images.push_back(value_of(
-            gpu.create_image({.format = VK_FORMAT_R16G16B16A16_SFLOAT,
+            gpu.create_image({.format = format,
                               .width = map.size,
                               .height = map.size,
                               .layers = 6,
@@ -68,7 +71,7 @@ inline Prefiltered make_maps(host::Gpu& gpu, const Prefilter& prefilter,
                              const host::GpuImage& source, const Wanted& wanted,
                              const std::vector<std::uint32_t>& split = {}) {
     PrefilterPlan plan = plan_for(wanted, source.description().width);
-    Prefiltered made{plan, images_for(gpu, plan),
+    Prefiltered made{plan, images_for(gpu, plan, wanted.format),
                      storage(gpu, plan.state_size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT)};
     std::vector<CubeMap> targets;
     for (const host::GpuImage& map : made.maps) targets.push_back(cube_of(map));
