@@ -70,6 +70,23 @@ void add_prefilter(std::vector<MeasureCase>& cases, const MeasureSource& source,
     }
 }
 
+/// The qualities of maps that a method of shading is measured with; none where it reads none.
+std::vector<Quality> shading_qualities(SphereMethod method, bool quick) {
+    switch (method) {
+    case SphereMethod::sh2:
+    case SphereMethod::sh4:
+    case SphereMethod::split_sum: return {Quality::normal};
+    case SphereMethod::one_tap:
+    case SphereMethod::two_tap:
+    case SphereMethod::hybrid: break;
+    default: return {};
+    }
+    std::vector<Quality> qualities;
+    for (const Quality quality : QUALITIES)
+        if (!quick || host::method_for(quality) == method) qualities.push_back(quality);
+    return qualities;
+}
+
 void add_shading(std::vector<MeasureCase>& cases, const MeasureSource& source, float exponent,
                  bool quick) {
     for (const host::RenderMethod& method : host::render_methods()) {
@@ -78,12 +95,18 @@ void add_shading(std::vector<MeasureCase>& cases, const MeasureSource& source, f
                         .environment = source.name,
                         .exponent = exponent,
                         .face_size = source.face};
-        if (method.method != SphereMethod::importance) {
-            cases.push_back(one);
+        if (method.method == SphereMethod::importance) {
+            for (const std::uint32_t samples : pixel_sample_counts(quick)) {
+                one.samples = samples;
+                cases.push_back(one);
+            }
             continue;
         }
-        for (const std::uint32_t samples : pixel_sample_counts(quick)) {
-            one.samples = samples;
+        const std::vector<Quality> qualities = shading_qualities(method.method, quick);
+        if (qualities.empty()) cases.push_back(one);
+        for (const Quality quality : qualities) {
+            one.quality = quality_name(quality);
+            one.face_size = face_for(source, quality);
             cases.push_back(one);
         }
     }

@@ -147,6 +147,7 @@ Outcome<Measured> Measurer::shade(const MeasureCase& what,
     host::RenderSettings settings =
         render_settings(render_method(what.method), DIFFUSE, SPECULAR, what.exponent);
     if (what.samples) settings.samples = *what.samples;
+    if (what.quality) settings.quality = *parse_quality(*what.quality);
     return host::measure_shading(gpu_, environment, settings, TIMED_SIZE);
 }
 

@@ -1,15 +1,24 @@
-// Error and time of the sphere's methods: measure_sphere [PANORAMA...].
+// Error and time of the sphere's methods: measure_sphere [--quality NAME] [PANORAMA...].
 //
 // Error against SphereMethod::reference over the pixels that the sphere covers and R G B, each
-// panorama seen from another side; the mean over the panoramas of
+// panorama seen from a side of its own; the mean over the panoramas of
 //     pointwise: root mean square of |x - exact| / (|exact| + 1e-3 mean)
 //     image: root mean square of x - exact over that of exact.
 // Time: CPU time of the sphere pass at 512 x 512, the median of several draws, over that of a
 // mirror with one trilinear fetch in the same run.
+//
+// --references DIR keeps the reference's colours there, which take minutes a panorama and are the
+// same for every quality. Remove them when the reference changes.
 
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+
+#include <CLI/CLI.hpp>
 
 #include "host/sphere_inputs.h"
 #include "sphere_timing.h"
@@ -70,21 +79,67 @@ struct Errors {
     double image[std::size(RUNGS)][std::size(CASES)] = {};
 };
 
-void add_errors(host::Gpu& gpu, const host::GpuEnvironment& environment, oracle::Direction side,
+struct Options {
+    Quality quality = Quality::normal;
+    std::string references; // folder; empty: keeps none
+    std::vector<std::string> panoramas = REAL_PANORAMAS;
+};
+
+/// Where a panorama is seen from, whatever others are measured beside it.
+oracle::Direction side_of(const std::string& panorama) {
+    const auto known = std::find(REAL_PANORAMAS.begin(), REAL_PANORAMAS.end(), panorama);
+    const auto sides = oracle::test_directions(int(REAL_PANORAMAS.size()) + 7, 11);
+    return sides[6 + std::size_t(known - REAL_PANORAMAS.begin())];
+}
+
+/// What `make` gives, or gave in an earlier run under that name.
+std::vector<double> kept(const std::string& folder, const std::string& name,
+                         const std::function<std::vector<double>()>& make) {
+    if (folder.empty()) return make();
+    std::filesystem::create_directories(folder);
+    const std::string path = folder + "/" + name;
+    if (std::ifstream file(path, std::ios::binary); file) {
+        std::vector<double> values(std::filesystem::file_size(path) / sizeof(double));
+        file.read(reinterpret_cast<char*>(values.data()),
+                  std::streamsize(values.size() * sizeof(double)));
+        return values;
+    }
+    const std::vector<double> values = make();
+    std::ofstream(path + ".part", std::ios::binary)
+        .write(reinterpret_cast<const char*>(values.data()),
+               std::streamsize(values.size() * sizeof(double)));
+    std::filesystem::rename(path + ".part", path);
+    return values;
+}
+
+/// The same for every exponent where the specular lobe is black.
+std::string reference_name(const std::string& panorama, const Material& material) {
+    char exponent[32];
+    std::snprintf(exponent, sizeof exponent, "n%g", double(material.exponent));
+    return panorama + "-" + (material.specular[0] > 0.0f ? exponent : "diffuse");
+}
+
+void add_errors(host::Gpu& gpu, const std::string& panorama, const Options& options,
                 Errors& errors) {
+    const auto environment =
+        value_of(host::upload_environment(gpu, real_panorama(panorama), 0, options.quality));
+    const oracle::Direction side = side_of(panorama);
     for (std::size_t i = 0; i < std::size(CASES); ++i) {
         host::RenderSettings settings{
             .view = {.camera = {.eye = {float(4 * side.x), float(4 * side.y), float(4 * side.z)}},
                      .material = CASES[i].material,
                      .background = false,
                      .width = SMALL,
-                     .height = SMALL}};
+                     .height = SMALL},
+            .quality = options.quality};
         const auto drawn = [&](SphereMethod method, std::uint32_t samples) {
             settings.method = method;
             settings.samples = samples;
             return sphere_colours(value_of(host::render(gpu, environment, settings)).picture);
         };
-        const std::vector<double> exact = drawn(SphereMethod::reference, 1);
+        const std::vector<double> exact =
+            kept(options.references, reference_name(panorama, CASES[i].material),
+                 [&] { return drawn(SphereMethod::reference, 1); });
         for (std::size_t k = 0; k < std::size(RUNGS); ++k) {
             const auto error =
                 oracle::measure_error(drawn(RUNGS[k].method, RUNGS[k].samples), exact);
@@ -107,20 +162,18 @@ void print_errors(const Errors& errors, double panoramas) {
     }
 }
 
-void measure(host::Gpu& gpu, const std::vector<std::string>& panoramas) {
-    const auto sides = oracle::test_directions(int(panoramas.size()) + 6, 11);
+void measure(host::Gpu& gpu, const Options& options) {
     Errors errors;
-    for (std::size_t i = 0; i < panoramas.size(); ++i)
-        add_errors(gpu, value_of(host::upload_environment(gpu, real_panorama(panoramas[i]))),
-                   sides[i + 6], errors);
-    print_errors(errors, double(panoramas.size()));
+    for (const std::string& panorama : options.panoramas)
+        add_errors(gpu, panorama, options, errors);
+    print_errors(errors, double(options.panoramas.size()));
 
-    const auto environment =
-        value_of(host::upload_environment(gpu, real_panorama(panoramas.front())));
+    const auto environment = value_of(host::upload_environment(
+        gpu, real_panorama(options.panoramas.front()), 0, options.quality));
     std::printf("\n| time | kd and ks | ks |\n");
     std::vector<SphereTiming> lobes[2];
     for (int i = 0; i < 2; ++i) {
-        SphereTimer timer(gpu, environment, white(i == 0 ? 0.3f : 0.0f, 0.6f, 64));
+        SphereTimer timer(gpu, environment, white(i == 0 ? 0.3f : 0.0f, 0.6f, 64), options.quality);
         for (const Rung& rung : RUNGS) timer.add(rung.name, rung.method, rung.samples);
         lobes[i] = timer.run();
     }
@@ -134,9 +187,16 @@ void measure(host::Gpu& gpu, const std::vector<std::string>& panoramas) {
 } // namespace lobelia::test
 
 int main(int count, char** arguments) {
+    using lobelia::Quality;
+    lobelia::test::Options options;
+    CLI::App program("Error and time of the sphere's methods");
+    program.add_option("PANORAMA", options.panoramas);
+    program.add_option("--references", options.references)->type_name("DIR");
+    program.add_option("--quality", options.quality)
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Quality>{
+            {"fast", Quality::fast}, {"normal", Quality::normal}, {"high", Quality::high}}));
+    CLI11_PARSE(program, count, arguments);
     auto gpu = lobelia::test::value_of(lobelia::host::Gpu::create());
-    std::vector<std::string> panoramas(arguments + 1, arguments + count);
-    if (panoramas.empty()) panoramas = lobelia::test::REAL_PANORAMAS;
     std::printf("%s\n", gpu.description().name.c_str());
-    lobelia::test::measure(gpu, panoramas);
+    lobelia::test::measure(gpu, options);
 }

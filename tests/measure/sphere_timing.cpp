@@ -34,10 +34,10 @@ double median(std::vector<double> values) {
 } // namespace
 
 SphereTimer::SphereTimer(host::Gpu& gpu, const host::GpuEnvironment& environment,
-                         const Material& material)
+                         const Material& material, Quality quality)
     : gpu_(gpu),
       environment_(environment), view_{.material = material, .width = SIZE, .height = SIZE},
-      target_(value_of(host::ColourTarget::create(gpu, SIZE, SIZE))),
+      quality_(quality), target_(value_of(host::ColourTarget::create(gpu, SIZE, SIZE))),
       context_(vk::load(gpu.device())), sampler_(vk::make_sampler(context_, VK_FILTER_LINEAR)),
       colours_(value_of(gpu.create_buffer(6 * 4 * sizeof(float), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                                           host::Memory::host))) {
@@ -77,7 +77,8 @@ void SphereTimer::add_shader(const std::string& name, std::span<const std::uint3
 
 void SphereTimer::add(const std::string& name, SphereMethod method, std::uint32_t samples) {
     auto inputs = std::make_shared<host::SphereInputs>(value_of(host::make_sphere_inputs(
-        gpu_, environment_, {.view = view_, .method = method, .samples = samples}, {})));
+        gpu_, environment_,
+        {.view = view_, .method = method, .quality = quality_, .samples = samples}, {})));
     const Sphere sphere = value_of(
         Sphere::create(gpu_.device(), {.render_pass = target_.render_pass()}, inputs->shading));
     auto job = std::make_shared<SphereJob>(value_of(sphere.bind(inputs->sources)));

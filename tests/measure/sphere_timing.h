@@ -23,7 +23,8 @@ struct SphereTiming {
 /// load falls on each alike.
 class SphereTimer {
 public:
-    SphereTimer(host::Gpu& gpu, const host::GpuEnvironment& environment, const Material& material);
+    SphereTimer(host::Gpu& gpu, const host::GpuEnvironment& environment, const Material& material,
+                Quality quality);
 
     void add(const std::string& name, SphereMethod method, std::uint32_t samples);
     std::vector<SphereTiming> run();
@@ -39,6 +40,7 @@ private:
     host::Gpu& gpu_;
     const host::GpuEnvironment& environment_;
     SphereView view_;
+    Quality quality_;
     host::ColourTarget target_;
     vk::Context context_;
     vk::Sampler sampler_;

@@ -1,0 +1,173 @@
+#include <cstring>
+
+#include <lobelia/clipped_tables.h>
+
+#include <vulkan/vulkan.h>
+
+#include "host/maps.h"
+#include "host/sphere_inputs.h"
+#include "sphere_fixture.h"
+
+// What an edit of the material, and another view in the same frame, record. Every dispatch and draw
+// of this device is counted.
+namespace lobelia::test {
+namespace {
+
+struct Recorded {
+    int dispatches = 0, draws = 0;
+};
+Recorded recorded;
+
+VKAPI_ATTR void VKAPI_CALL dispatch(VkCommandBuffer commands, std::uint32_t x, std::uint32_t y,
+                                    std::uint32_t z) {
+    ++recorded.dispatches;
+    vkCmdDispatch(commands, x, y, z);
+}
+
+VKAPI_ATTR void VKAPI_CALL draw_counted(VkCommandBuffer commands, std::uint32_t vertices,
+                                        std::uint32_t instances, std::uint32_t vertex,
+                                        std::uint32_t instance) {
+    ++recorded.draws;
+    vkCmdDraw(commands, vertices, instances, vertex, instance);
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL get_device_proc(VkDevice device, const char* name) {
+    if (std::strcmp(name, "vkCmdDispatch") == 0)
+        return reinterpret_cast<PFN_vkVoidFunction>(&dispatch);
+    if (std::strcmp(name, "vkCmdDraw") == 0)
+        return reinterpret_cast<PFN_vkVoidFunction>(&draw_counted);
+    return vkGetDeviceProcAddr(device, name);
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL get_proc(VkInstance instance, const char* name) {
+    if (std::strcmp(name, "vkGetDeviceProcAddr") == 0)
+        return reinterpret_cast<PFN_vkVoidFunction>(&get_device_proc);
+    return vkGetInstanceProcAddr(instance, name);
+}
+
+constexpr float LEAST = 1.0f, MOST = 1024.0f; // exponents of the ladder
+
+struct TapsMethod {
+    SphereMethod method;
+    Taps taps;
+};
+constexpr TapsMethod TAPS_METHODS[] = {{SphereMethod::two_tap, Taps::two},
+                                       {SphereMethod::hybrid, Taps::five}};
+
+/// A sphere lit by maps on a ladder, as an engine keeps it from frame to frame.
+struct Scene {
+    host::PrefilteredMaps maps;
+    host::GpuImage tables;
+    SphereSources sources;
+};
+
+class SphereEditTest : public testing::Test {
+protected:
+    host::Gpu gpu =
+        value_of(host::Gpu::create({.validation = true, .get_instance_proc_addr = &get_proc}));
+    host::GpuEnvironment light = value_of(host::upload_environment(
+        gpu, image_of(oracle::random_panorama(oracle::Scene::suns, 64, 32, 5))));
+
+    void TearDown() override {
+        for (const std::string& message : gpu.take_messages()) ADD_FAILURE() << message;
+    }
+
+    Scene make_scene(Taps taps) {
+        Scene scene{
+            value_of(host::make_maps(
+                gpu, light, {.lambert = true, .ladder = ladder_for(taps, LEAST, MOST)}, {})),
+            value_of(host::make_clipped_tables(gpu)),
+            {}};
+        scene.sources = {.background = light.cube.view(),
+                         .diffuse = scene.maps.images.back().view(),
+                         .prefilter_state = scene.maps.state.handle(),
+                         .ladder = scene.maps.ladder->view(),
+                         .clipped_tables = scene.tables.view()};
+        return scene;
+    }
+};
+
+void expect_same_bits(const host::Image& one, const host::Image& other) {
+    ASSERT_EQ(one.texels.size(), other.texels.size());
+    EXPECT_EQ(
+        std::memcmp(one.texels.data(), other.texels.data(), one.texels.size() * sizeof(float)), 0);
+}
+
+TEST_F(SphereEditTest, OfAnyMaterialWithinTheLadderRecordsTheSphereAlone) {
+    const Material edits[] = {grey(0.3f, 0.6f, 64.0f),  grey(0.4f, 0.6f, 64.0f),
+                              grey(0.5f, 0.1f, 64.0f),  grey(0.5f, 0.1f, LEAST),
+                              grey(0.5f, 0.1f, 300.5f), grey(0.5f, 0.1f, MOST)};
+    for (const auto& [method, taps] : TAPS_METHODS) {
+        recorded = {};
+        const Scene scene = make_scene(taps);
+        EXPECT_GT(recorded.dispatches, 10); // so they are counted
+        const SpherePicture picture(gpu, 24, 16, {.method = method});
+        const Scene anew = make_scene(taps);
+        for (const Material& material : edits) {
+            SCOPED_TRACE("n " + std::to_string(material.exponent));
+            recorded = {};
+            const SphereView view{.material = material, .width = 24, .height = 16};
+            const host::Image edited = picture.draw(scene.sources, view);
+            EXPECT_EQ(recorded.dispatches, 0);
+            EXPECT_EQ(recorded.draws, 1);
+            // Nothing that was not recorded is missing: all made anew shows the same.
+            expect_same_bits(
+                edited, SpherePicture(gpu, 24, 16, {.method = method}).draw(anew.sources, view));
+        }
+    }
+}
+
+TEST_F(SphereEditTest, NeedsNothingElseByOtherMethodsEither) {
+    const Material before = grey(0.3f, 0.6f, 64.0f);
+    const Material colours{{0.1f, 0.5f, 0.9f}, {0.8f, 0.2f, 0.1f}, 64.0f};
+    const Material all{colours.diffuse, colours.specular, 5.0f};
+    for (const auto& [method, after] :
+         {std::pair{SphereMethod::split_sum, colours}, std::pair{SphereMethod::kurt2019, all},
+          std::pair{SphereMethod::importance, all}}) {
+        SCOPED_TRACE(int(method));
+        host::RenderSettings settings{.view = {.material = before, .width = 24, .height = 16},
+                                      .method = method};
+        const auto inputs_now = [&] {
+            return value_of(host::make_sphere_inputs(gpu, light, settings, {}));
+        };
+        const host::SphereInputs inputs = inputs_now();
+        const SpherePicture picture(gpu, 24, 16, inputs.shading);
+        settings.view.material = after;
+        recorded = {};
+        const host::Image edited = picture.draw(inputs.sources, settings.view);
+        EXPECT_EQ(recorded.dispatches, 0);
+        EXPECT_EQ(recorded.draws, 1);
+        const host::SphereInputs anew = inputs_now();
+        expect_same_bits(edited, picture.draw(anew.sources, settings.view));
+    }
+}
+
+TEST_F(SphereEditTest, SeveralViewsOfOneSceneShareAFrame) {
+    const Scene scene = make_scene(Taps::two);
+    SphereView left{.camera = {.eye = {-4, 0, 0.1f}},
+                    .material = grey(0.2f, 0.7f, 20.0f),
+                    .width = 24,
+                    .height = 16};
+    SphereView right{.camera = {.eye = {2, 3, 0}, .vertical_field_of_view = 50},
+                     .material = grey(0.9f, 0.1f, 500.0f),
+                     .environment_rotation = 1.0f,
+                     .width = 20,
+                     .height = 30};
+    const SphereShading shading{.method = SphereMethod::two_tap};
+    const auto first = value_of(host::ColourTarget::create(gpu, left.width, left.height));
+    const auto second = value_of(host::ColourTarget::create(gpu, right.width, right.height));
+    const Sphere sphere =
+        value_of(Sphere::create(gpu.device(), {.render_pass = first.render_pass()}, shading));
+    const SphereJob job = value_of(sphere.bind(scene.sources));
+    value_of(gpu.submit([&](VkCommandBuffer commands) { // one pipeline, one job, one submission
+        first.record(commands, [&](VkCommandBuffer inside) { job.record(inside, left); });
+        second.record(commands, [&](VkCommandBuffer inside) { job.record(inside, right); });
+    }));
+    for (const auto& [target, view] : {std::pair{&first, &left}, std::pair{&second, &right}})
+        expect_same_bits(
+            value_of(gpu.download(target->image(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL)),
+            SpherePicture(gpu, view->width, view->height, shading).draw(scene.sources, *view));
+}
+
+} // namespace
+} // namespace lobelia::test
