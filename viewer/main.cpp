@@ -32,6 +32,7 @@ int run(int argument_count, char** arguments) {
     add_render(program, status);
     add_prefilter(program, status);
     add_measure(program, status);
+    add_gallery(program, status);
     add_devices(program, status);
     try {
         program.parse(argument_count, arguments);

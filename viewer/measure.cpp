@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "environment.h"
-#include "gnuplot.h"
 #include "gpu_choice.h"
 #include "measure_page.h"
 #include "measure_work.h"
 #include "messages.h"
 #include "parsed_option.h"
+#include "program.h"
 #include "verbs.h"
 
 namespace lobelia::cli {
@@ -130,11 +130,15 @@ Outcome<Done> measure_all(host::Gpu& gpu, const std::vector<MeasureSource>& sour
     return Done{};
 }
 
+Outcome<std::string> run_gnuplot(const std::string& terminal, const std::string& script) {
+    return run_program({"gnuplot", "-"}, "set terminal " + terminal + "\n" + script);
+}
+
 Outcome<Done> draw(const MeasureFolder& folder, ProgressLine& progress) {
     const MeasureSummary summary(folder.rows(), folder.head());
     const std::vector<MeasurePlot> plots = measure_plots(summary);
     std::vector<DrawnPlot> drawn;
-    if (has_gnuplot()) {
+    if (has_program("gnuplot")) {
         for (const MeasurePlot& plot : plots) {
             progress.begin("drawing " + plot.name);
             const auto svg = run_gnuplot(SVG, plot.script);

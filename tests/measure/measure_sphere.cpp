@@ -8,7 +8,8 @@
 // mirror with one trilinear fetch in the same run.
 //
 // --references DIR keeps the reference's colours there, which take minutes a panorama and are the
-// same for every quality. Remove them when the reference changes.
+// same for every quality. Remove them when the reference changes. --csv FILE adds the errors on
+// each panorama to a table, of which expected_error.h is made.
 
 #include <algorithm>
 #include <cstdio>
@@ -74,15 +75,39 @@ std::vector<double> sphere_colours(const host::Image& picture) {
     return values;
 }
 
-struct Errors {
-    double pointwise[std::size(RUNGS)][std::size(CASES)] = {};
-    double image[std::size(RUNGS)][std::size(CASES)] = {};
-};
-
 struct Options {
     Quality quality = Quality::normal;
     std::string references; // folder; empty: keeps none
+    std::string table;      // file; empty: none
     std::vector<std::string> panoramas = REAL_PANORAMAS;
+};
+
+/// Methods that read no maps of Prefilter's have no quality and are measured at normal.
+bool is_measured(const Rung& rung, const Options& options) {
+    return options.quality == Quality::normal ||
+           (rung.method != SphereMethod::kurt2019 && rung.method != SphereMethod::importance);
+}
+
+const char* name_of(Quality quality) {
+    return quality == Quality::fast ? "fast" : quality == Quality::normal ? "normal" : "high";
+}
+
+void add_row(const Options& options, const std::string& panorama, const Rung& rung,
+             const Material& material, const oracle::ErrorMeasures& error) {
+    std::ofstream table(options.table, std::ios::app);
+    if (table.tellp() == 0)
+        table << "environment,quality,method,samples,lobe,exponent,rms,image_rms\n";
+    const std::string name = rung.name;
+    const std::size_t comma = name.find(',');
+    table << panorama << ',' << name_of(options.quality) << ',' << name.substr(0, comma) << ',';
+    if (comma != std::string::npos) table << rung.samples;
+    table << (material.specular[0] > 0.0f ? ",ks," : ",kd,") << material.exponent << ','
+          << error.pointwise_rms << ',' << error.image_rms << '\n';
+}
+
+struct Errors {
+    double pointwise[std::size(RUNGS)][std::size(CASES)] = {};
+    double image[std::size(RUNGS)][std::size(CASES)] = {};
 };
 
 /// Where a panorama is seen from, whatever others are measured beside it.
@@ -141,19 +166,24 @@ void add_errors(host::Gpu& gpu, const std::string& panorama, const Options& opti
             kept(options.references, reference_name(panorama, CASES[i].material),
                  [&] { return drawn(SphereMethod::reference, 1); });
         for (std::size_t k = 0; k < std::size(RUNGS); ++k) {
+            if (!is_measured(RUNGS[k], options)) continue;
             const auto error =
                 oracle::measure_error(drawn(RUNGS[k].method, RUNGS[k].samples), exact);
             errors.pointwise[k][i] += error.pointwise_rms;
             errors.image[k][i] += error.image_rms;
+            if (!options.table.empty())
+                add_row(options, panorama, RUNGS[k], CASES[i].material, error);
         }
     }
 }
 
-void print_errors(const Errors& errors, double panoramas) {
+void print_errors(const Errors& errors, const Options& options) {
+    const auto panoramas = double(options.panoramas.size());
     std::printf("| pointwise / image |");
     for (const Case& one : CASES) std::printf(" %s |", one.name);
     std::printf("\n");
     for (std::size_t k = 0; k < std::size(RUNGS); ++k) {
+        if (!is_measured(RUNGS[k], options)) continue;
         std::printf("| %s |", RUNGS[k].name);
         for (std::size_t i = 0; i < std::size(CASES); ++i)
             std::printf(" %.2g / %.2g |", errors.pointwise[k][i] / panoramas,
@@ -166,7 +196,7 @@ void measure(host::Gpu& gpu, const Options& options) {
     Errors errors;
     for (const std::string& panorama : options.panoramas)
         add_errors(gpu, panorama, options, errors);
-    print_errors(errors, double(options.panoramas.size()));
+    print_errors(errors, options);
 
     const auto environment = value_of(host::upload_environment(
         gpu, real_panorama(options.panoramas.front()), 0, options.quality));
@@ -174,7 +204,8 @@ void measure(host::Gpu& gpu, const Options& options) {
     std::vector<SphereTiming> lobes[2];
     for (int i = 0; i < 2; ++i) {
         SphereTimer timer(gpu, environment, white(i == 0 ? 0.3f : 0.0f, 0.6f, 64), options.quality);
-        for (const Rung& rung : RUNGS) timer.add(rung.name, rung.method, rung.samples);
+        for (const Rung& rung : RUNGS)
+            if (is_measured(rung, options)) timer.add(rung.name, rung.method, rung.samples);
         lobes[i] = timer.run();
     }
     for (std::size_t k = 0; k < lobes[0].size(); ++k)
@@ -192,6 +223,7 @@ int main(int count, char** arguments) {
     CLI::App program("Error and time of the sphere's methods");
     program.add_option("PANORAMA", options.panoramas);
     program.add_option("--references", options.references)->type_name("DIR");
+    program.add_option("--csv", options.table)->type_name("FILE");
     program.add_option("--quality", options.quality)
         ->transform(CLI::CheckedTransformer(std::map<std::string, Quality>{
             {"fast", Quality::fast}, {"normal", Quality::normal}, {"high", Quality::high}}));

@@ -1,4 +1,4 @@
-#include "gnuplot.h"
+#include "program.h"
 
 #include <cstdio>
 #include <vector>
@@ -45,7 +45,7 @@ private:
     std::FILE* file_;
 };
 
-// Runs gnuplot and waits for it; its exit status, or -1 where it could not be started.
+// Runs a program and waits for it; its exit status, or -1 where it could not be started.
 int run(std::vector<std::string> arguments, int in, int out, int err) {
     std::vector<char*> words;
     for (std::string& argument : arguments) words.push_back(argument.data());
@@ -67,18 +67,18 @@ int run(std::vector<std::string> arguments, int in, int out, int err) {
 
 } // namespace
 
-bool has_gnuplot() {
+bool has_program(const std::string& name) {
     Scratch in, out;
     return in && out &&
-           run({"gnuplot", "--version"}, in.descriptor(), out.descriptor(), out.descriptor()) == 0;
+           run({name, "--version"}, in.descriptor(), out.descriptor(), out.descriptor()) == 0;
 }
 
-Outcome<std::string> run_gnuplot(const std::string& terminal, const std::string& script) {
+Outcome<std::string> run_program(const std::vector<std::string>& words, const std::string& input) {
     Scratch in, out, err;
-    if (!err || !out || !in.fill("set terminal " + terminal + "\n" + script))
+    if (!err || !out || !in.fill(input))
         return Failure{"there is no place for temporary files, make room or set TMPDIR"};
-    if (run({"gnuplot", "-"}, in.descriptor(), out.descriptor(), err.descriptor()) != 0)
-        return Failure{"gnuplot failed: " + err.read()};
+    if (run(words, in.descriptor(), out.descriptor(), err.descriptor()) != 0)
+        return Failure{words.front() + " failed: " + err.read()};
     return out.read();
 }
 
