@@ -14,7 +14,7 @@ namespace {
 constexpr const char* FOLDER = "/usr/share/blender/datafiles/studiolights/world/";
 // A wood, a street and a hall, for the Eucalyptus Grove, the Uffizi Gallery and St. Peter's.
 constexpr const char* PHOTOGRAPHS[] = {"forest", "courtyard", "interior"};
-constexpr double MIDDLE_GREY = 0.4;
+constexpr double MIDDLE_GREY = 0.2;
 
 Outcome<host::Image> cube_of(host::Gpu& gpu, const host::GpuEnvironment& environment) {
     auto cube = gpu.download(environment.cube, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
