@@ -13,8 +13,10 @@ void add_gpu_options(CLI::App& verb, GpuChoice& choice) {
     verb.add_flag("--verbose", choice.verbose, "tell on stderr what is used, and why");
 }
 
-host::Outcome<host::Gpu> start_gpu(const GpuChoice& choice) {
-    host::Outcome<host::Gpu> gpu = host::Gpu::create({.device = choice.device});
+host::Outcome<host::Gpu> start_gpu(const GpuChoice& choice,
+                                   const std::optional<host::Presentation>& presentation) {
+    host::Outcome<host::Gpu> gpu =
+        host::Gpu::create({.device = choice.device, .presentation = presentation});
     if (gpu && choice.verbose)
         say("device: " + gpu->description().name + " (" + gpu->description().driver +
             "): " + gpu->why_picked());

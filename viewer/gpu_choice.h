@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -17,7 +18,10 @@ struct GpuChoice {
 /// Adds --device and --verbose, which write to `choice`.
 void add_gpu_options(CLI::App& verb, GpuChoice& choice);
 
-/// Starts the chosen device; with --verbose says which one and why.
-host::Outcome<host::Gpu> start_gpu(const GpuChoice& choice);
+/// Starts the chosen device, where asked for with a window to present to; with --verbose says which
+/// one and why.
+host::Outcome<host::Gpu>
+start_gpu(const GpuChoice& choice,
+          const std::optional<host::Presentation>& presentation = std::nullopt);
 
 } // namespace lobelia::cli

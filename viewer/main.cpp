@@ -31,6 +31,7 @@ int run(int argument_count, char** arguments) {
     program.require_subcommand(1);
     add_render(program, status);
     add_prefilter(program, status);
+    add_view(program, status);
     add_measure(program, status);
     add_gallery(program, status);
     add_devices(program, status);

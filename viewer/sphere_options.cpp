@@ -67,7 +67,9 @@ void add_camera(CLI::App& verb, SphereOptions& options) {
             options.width = size.width;
             options.height = size.height;
         },
-        "WxH", "size of the picture; default 512x512");
+        "WxH",
+        "size of the picture; default " + std::to_string(options.width) + "x" +
+            std::to_string(options.height));
 }
 
 void add_environment(CLI::App& verb, SphereOptions& options) {

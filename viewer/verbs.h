@@ -8,6 +8,7 @@ namespace lobelia::cli {
 /// to lie in `status`, which must outlive the parsing.
 void add_render(CLI::App& program, int& status);
 void add_prefilter(CLI::App& program, int& status);
+void add_view(CLI::App& program, int& status);
 void add_measure(CLI::App& program, int& status);
 void add_gallery(CLI::App& program, int& status);
 void add_devices(CLI::App& program, int& status);

@@ -6,7 +6,7 @@
 #include <vulkan/vulkan_core.h>
 
 #include <lobelia/host/outcome.h>
-#include <lobelia/sphere.h>
+#include <lobelia/host/work.h>
 
 namespace lobelia::host {
 
@@ -17,6 +17,5 @@ inline bool is_black(const std::array<float, 3>& colour) {
 
 /// Why a value is refused, or nothing.
 std::optional<Failure> check_exponent(float exponent);
-std::optional<Failure> check_view(const SphereView& view, const VkPhysicalDeviceLimits& limits);
 
 } // namespace lobelia::host

@@ -12,6 +12,7 @@ namespace lobelia::host {
 namespace {
 
 constexpr std::uint64_t WAIT_NANOSECONDS = 60'000'000'000; // a dispatch is sized to take 0.1 s
+constexpr const char* SWAPCHAIN = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
 
 } // namespace
 
@@ -24,6 +25,7 @@ struct Gpu::State {
     VkPhysicalDeviceMemoryProperties memory{};
     HostContext context;
     VkQueue queue = VK_NULL_HANDLE;
+    std::uint32_t queue_family = 0;
     HostObject<VkCommandPool, &DeviceFunctions::vkDestroyCommandPool> pool;
     HostObject<VkFence, &DeviceFunctions::vkDestroyFence> fence;
     Timestamps timestamps;
@@ -41,7 +43,7 @@ struct Gpu::State {
 
     Outcome<Done> open(const GpuOptions& options);
     Outcome<Done> make_device();
-    Outcome<Done> make_command_buffer(std::uint32_t queue_family);
+    Outcome<Done> make_command_buffer();
 };
 
 Outcome<Done> Gpu::State::open(const GpuOptions& options) {
@@ -67,23 +69,27 @@ Outcome<Done> Gpu::State::make_device() {
     std::vector<VkQueueFamilyProperties> families(count);
     instance->call.vkGetPhysicalDeviceQueueFamilyProperties(physical_device, &count,
                                                             families.data());
-    const auto family = std::find_if(families.begin(), families.end(), [](const auto& properties) {
+    const auto serves = [&](std::uint32_t index) {
         const VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-        return (properties.queueFlags & needed) == needed;
-    });
-    if (family == families.end())
-        return Failure{description.name + " has no queue for graphics and compute, pick another "
-                                          "device"};
+        return (families[index].queueFlags & needed) == needed &&
+               instance->can_present(physical_device, index);
+    };
+    while (queue_family < count && !serves(queue_family)) ++queue_family;
+    if (queue_family == count)
+        return Failure{description.name + " has no queue for graphics and compute" +
+                       (instance->surface ? " that can show pictures in this window" : "") +
+                       ", pick another device"};
 
     const float priority = 1.0f;
-    const auto queue_family = std::uint32_t(family - families.begin());
     const VkDeviceQueueCreateInfo queue_info{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
                                              .queueFamilyIndex = queue_family,
                                              .queueCount = 1,
                                              .pQueuePriorities = &priority};
     const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                   .queueCreateInfoCount = 1,
-                                  .pQueueCreateInfos = &queue_info};
+                                  .pQueueCreateInfos = &queue_info,
+                                  .enabledExtensionCount = instance->surface ? 1u : 0u,
+                                  .ppEnabledExtensionNames = &SWAPCHAIN};
     VkDevice handle = VK_NULL_HANDLE;
     const VkResult code = instance->call.vkCreateDevice(physical_device, &info, nullptr, &handle);
     if (code != VK_SUCCESS) return failed("create a device", code);
@@ -95,13 +101,14 @@ Outcome<Done> Gpu::State::make_device() {
     LOBELIA_HOST_DEVICE_FUNCTIONS(X)
 #undef X
     context.call.vkGetDeviceQueue(handle, queue_family, 0, &queue);
-    auto made = Timestamps::create(context, family->timestampValidBits, limits.timestampPeriod);
+    auto made = Timestamps::create(context, families[queue_family].timestampValidBits,
+                                   limits.timestampPeriod);
     if (!made) return made.error();
     timestamps = std::move(*made);
-    return make_command_buffer(queue_family);
+    return make_command_buffer();
 }
 
-Outcome<Done> Gpu::State::make_command_buffer(std::uint32_t queue_family) {
+Outcome<Done> Gpu::State::make_command_buffer() {
     const VkCommandPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
                                             .queueFamilyIndex = queue_family};
     VkCommandPool pool_handle = VK_NULL_HANDLE;
@@ -154,6 +161,15 @@ VkInstance Gpu::instance() const {
 }
 VkPhysicalDevice Gpu::physical_device() const {
     return state_->physical_device;
+}
+VkQueue Gpu::queue() const {
+    return state_->queue;
+}
+std::uint32_t Gpu::queue_family() const {
+    return state_->queue_family;
+}
+VkSurfaceKHR Gpu::surface() const {
+    return state_->instance->surface;
 }
 PFN_vkGetInstanceProcAddr Gpu::get_instance_proc_addr() const {
     return state_->instance->get_instance_proc_addr;

@@ -82,16 +82,18 @@ Outcome<Done> Instance::start(const GpuOptions& options) {
     const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
                                            .enabledValidationFeatureCount = 1,
                                            .pEnabledValidationFeatures = &synchronisation};
-    const char* const extensions[] = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME};
+    std::vector<const char*> extensions;
+    if (options.presentation) extensions = options.presentation->instance_extensions;
     VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                               .pApplicationInfo = &application};
     if (options.validation) {
+        extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
         info.pNext = &features;
         info.enabledLayerCount = 1;
         info.ppEnabledLayerNames = &VALIDATION_LAYER;
-        info.enabledExtensionCount = 1;
-        info.ppEnabledExtensionNames = extensions;
     }
+    info.enabledExtensionCount = std::uint32_t(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
     VkInstance created = VK_NULL_HANDLE;
     if (const VkResult code = create(&info, nullptr, &created); code != VK_SUCCESS)
         return failed("create an instance", code);
@@ -104,6 +106,8 @@ Outcome<Done> Instance::start(const GpuOptions& options) {
 #undef X
     if (options.validation)
         if (const auto listening = listen(); !listening) return listening.error();
+    if (options.presentation)
+        if (const auto made = make_surface(*options.presentation); !made) return made.error();
 
     std::uint32_t count = 0;
     VkResult code = call.vkEnumeratePhysicalDevices(handle, &count, nullptr);
@@ -136,7 +140,24 @@ Outcome<Done> Instance::listen() {
     return Done{};
 }
 
+Outcome<Done> Instance::make_surface(const Presentation& presentation) {
+    const VkResult code = presentation.make_surface(handle, &surface);
+    if (code != VK_SUCCESS) return failed("make a surface of the window", code);
+    return Done{};
+}
+
+bool Instance::can_present(VkPhysicalDevice device, std::uint32_t queue_family) const {
+    if (!surface) return true;
+    const auto ask = reinterpret_cast<PFN_vkGetPhysicalDeviceSurfaceSupportKHR>(
+        get_instance_proc_addr(handle, "vkGetPhysicalDeviceSurfaceSupportKHR"));
+    VkBool32 supported = VK_FALSE;
+    return ask && ask(device, queue_family, surface, &supported) == VK_SUCCESS && supported;
+}
+
 Instance::~Instance() {
+    if (surface)
+        reinterpret_cast<PFN_vkDestroySurfaceKHR>(
+            get_instance_proc_addr(handle, "vkDestroySurfaceKHR"))(handle, surface, nullptr);
     if (messenger_)
         reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(get_instance_proc_addr(
             handle, "vkDestroyDebugUtilsMessengerEXT"))(handle, messenger_, nullptr);

@@ -24,11 +24,16 @@ public:
     InstanceFunctions call;
     std::vector<VkPhysicalDevice> physical_devices;
     std::vector<std::string> messages;
+    VkSurfaceKHR surface = VK_NULL_HANDLE; // where GpuOptions::presentation asks for one
+
+    /// Whether pictures from this queue can be shown, where there is a surface.
+    bool can_present(VkPhysicalDevice device, std::uint32_t queue_family) const;
 
 private:
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     Outcome<Done> start(const GpuOptions& options);
     Outcome<Done> listen();
+    Outcome<Done> make_surface(const Presentation& presentation);
 };
 
 GpuDescription describe(const Instance& instance, VkPhysicalDevice device);

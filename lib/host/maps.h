@@ -12,10 +12,6 @@ namespace lobelia::host {
 /// The edge of a cube map that prefilters read in place of one of `face` texels.
 std::uint32_t prefilter_face(std::uint32_t face);
 
-/// The environment's cube map in a size that prefilters read, a power of two from 16 to 1024;
-/// nothing where it has one already.
-Outcome<std::optional<GpuImage>> resized_cube(Gpu& gpu, const GpuEnvironment& environment);
-
 /// Prefiltered maps with what belongs to them: their scale and suns in `state`.
 struct PrefilteredMaps {
     std::vector<PrefilteredMap> descriptions;

@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include <nlohmann/json.hpp>
-#include <png.h>
 
 #include <lobelia/host/read.h>
 #include <lobelia/host/write.h>
 
 #include "cli_fixture.h"
+#include "support/png_file.h"
 
 namespace lobelia::test {
 
@@ -28,18 +28,6 @@ host::Image read(const std::string& path) {
     auto environment = host::read_environment(path);
     EXPECT_TRUE(environment) << environment.error().message;
     return environment ? std::move(environment->image) : host::Image{};
-}
-
-using Pixel = std::array<std::uint8_t, 4>;
-
-std::vector<Pixel> read_png(const std::string& path) {
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    EXPECT_TRUE(png_image_begin_read_from_file(&png, path.c_str())) << png.message;
-    png.format = PNG_FORMAT_RGBA;
-    std::vector<Pixel> pixels(std::size_t(png.width) * png.height);
-    EXPECT_TRUE(png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr)) << png.message;
-    return pixels;
 }
 
 // As OpenEXR keeps it: name and type, each ending in a zero byte, the length and the text.
@@ -141,7 +129,7 @@ TEST_F(RenderVerb, IsOpaqueInPngWhereThereIsABackground) {
     const std::string panorama = write_panorama("sky.exr");
     run_well({"render", panorama, "--size", "8x8", "-o", "with.png"});
     run_well({"render", panorama, "--size", "8x8", "-o", "without.png", "--no-background"});
-    const auto corner = [this](const char* name) { return read_png(folder / name).front(); };
+    const auto corner = [this](const char* name) { return read_png(folder / name).pixels.front(); };
     EXPECT_EQ(corner("with.png")[3], 255);
     EXPECT_EQ(corner("without.png")[3], 0);
     // 0.25, 0.5 and 0.75 keep their order, and the background is not black.

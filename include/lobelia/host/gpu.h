@@ -23,6 +23,12 @@ struct GpuDescription {
     std::uint32_t api_version = 0;
 };
 
+/// What a Gpu needs to show pictures in a window.
+struct Presentation {
+    std::vector<const char*> instance_extensions; // that the window's surface comes from
+    std::function<VkResult(VkInstance, VkSurfaceKHR*)> make_surface; // the Gpu owns it then
+};
+
 struct GpuOptions {
     /// Index in list_gpus() or part of the name; empty picks the first discrete, then integrated,
     /// virtual, CPU device.
@@ -31,6 +37,8 @@ struct GpuOptions {
     bool validation = false;
     /// Where every Vulkan function comes from; null means the system's loader.
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
+    /// Enables VK_KHR_swapchain and takes a queue that can present to the surface.
+    std::optional<Presentation> presentation;
 };
 
 /// The devices in the order of their indices; fails when there is no Vulkan driver.
@@ -101,6 +109,9 @@ public:
     const Device& device() const; // what the core library borrows
     VkInstance instance() const;
     VkPhysicalDevice physical_device() const;
+    VkQueue queue() const;
+    std::uint32_t queue_family() const;
+    VkSurfaceKHR surface() const; // null without GpuOptions::presentation
     PFN_vkGetInstanceProcAddr get_instance_proc_addr() const;
     const GpuDescription& description() const;
     const std::string& why_picked() const;

@@ -60,6 +60,10 @@ std::uint32_t default_face(std::uint32_t panorama_width, Quality quality = Quali
 Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face = 0,
                                            Quality quality = Quality::normal);
 
+/// The environment's cube map in a size that Prefilter and Mips read, a power of two from 16 to
+/// 1024; nothing where it has one already.
+Outcome<std::optional<GpuImage>> resized_cube(Gpu& gpu, const GpuEnvironment& environment);
+
 constexpr std::uint32_t BUILTIN_WIDTH = 1024;
 
 /// The built-in environment, made on the device from formulas: a clear sky, a ground, soft boxes
@@ -98,6 +102,8 @@ Outcome<Rendering> render(Gpu& gpu, const GpuEnvironment& environment,
 
 /// Why a material is refused, or nothing. `allow_energy_gain` lets kd + ks exceed 1.
 std::optional<Failure> check_material(const Material& material, bool allow_energy_gain);
+/// The same of a camera, a size and a rotation; the material is not looked at.
+std::optional<Failure> check_view(const SphereView& view, const VkPhysicalDeviceLimits& limits);
 
 enum class PrefilterMethod {
     chain,               // Prefilter, read at the map's texel centres by MapReader

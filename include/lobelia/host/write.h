@@ -50,6 +50,12 @@ Outcome<Done> write_ktx2(const std::string& path, std::span<const Image> levels,
 /// premultiplied). Replaces `path` in one step, as write_exr does.
 Outcome<Done> write_png(const std::string& path, const Image& picture, float exposure);
 
+/// Writes an 8-bit sRGB PNG of a picture whose texels are sRGB values from 0 to 1 already; metadata
+/// becomes UTF-8 text chunks, names of 1 to 79 ASCII letters. Replaces `path` in one step, as
+/// write_exr does.
+Outcome<Done> write_display_png(const std::string& path, const Image& picture,
+                                const Metadata& metadata = {});
+
 /// Makes `bytes` the content of the file at `path` in one step: they are written to a file beside
 /// it (`.lobelia-<process>-<number>.tmp`), brought to the disk and read back, and that file takes
 /// the name. On failure the file at `path` is as it was and nothing else is left. A new file has
