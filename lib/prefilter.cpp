@@ -1,7 +1,9 @@
 #include <lobelia/prefilter.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "prefilter_groups.h"
 #include "prefilter_passes.h"
 #include "vk/guard.h"
 
@@ -10,16 +12,7 @@ namespace lobelia {
 namespace {
 
 constexpr std::uint32_t FACES = 6;
-constexpr std::uint32_t GROUP_SIZE = 8;           // local_size_x and _y of all but the next two
-constexpr std::uint32_t TILE_SIZE = 8;            // of statistics.comp
-constexpr std::uint32_t SUM_GROUP_SIZE = 64;      // of sum.comp
-constexpr std::uint32_t EXPAND_TEXELS = 4;        // of an invocation of expand.comp
-constexpr std::uint32_t BROAD_GROUP_SIZE = 4;     // of broad.comp; suns.comp is one group
 constexpr VkDeviceSize LADDER_LOWEST_OFFSET = 12; // bytes, in PrefilterState of lobelia/suns.glsl
-
-std::uint32_t groups(std::uint32_t size, std::uint32_t group) {
-    return (size + group - 1) / group;
-}
 
 } // namespace
 
@@ -48,7 +41,15 @@ struct PrefilterJob::State {
     void begin(VkCommandBuffer commands) const noexcept;
     void tell_ladder(VkCommandBuffer commands) const noexcept;
     void end(VkCommandBuffer commands) const noexcept;
-    void record_pass(VkCommandBuffer commands, std::uint32_t index) const noexcept;
+    std::uint32_t pieces(std::uint32_t index) const {
+        return groups_of(plan.state(), pass(index)).pieces();
+    }
+    PrefilterPosition advance(PrefilterPosition from, double milliseconds,
+                              std::span<const PassRate> rates) const noexcept;
+    void record(VkCommandBuffer commands, PrefilterPosition from, PrefilterPosition to,
+                const PassTimestamps& timestamps) const noexcept;
+    void record_pass(VkCommandBuffer commands, std::uint32_t index, std::uint32_t first,
+                     std::uint32_t count) const noexcept;
 };
 
 Result<PrefilterJob> Prefilter::bind(const PrefilterPlan& plan, const CubeMap& source,
@@ -158,49 +159,36 @@ void PrefilterJob::State::end(VkCommandBuffer commands) const noexcept {
                        VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_UNIFORM_READ_BIT);
 }
 
-void PrefilterJob::State::record_pass(VkCommandBuffer commands,
-                                      std::uint32_t index) const noexcept {
+// Pieces [first, first + count) of a pass.
+void PrefilterJob::State::record_pass(VkCommandBuffer commands, std::uint32_t index,
+                                      std::uint32_t first, std::uint32_t count) const noexcept {
     const vk::Context& context = shared->context;
     const PlannedPass& planned = pass(index);
     const vk::ComputePass& compute = pipeline(planned);
     const vk::Label label(context, commands, compute.name);
-    const VkDescriptorSet set = sets[index].sets[0];
-    const auto dispatch = [&](const auto& params, std::uint32_t across, std::uint32_t layers) {
-        vk::begin_pass(context, commands, compute, set, params);
-        context.call.vkCmdDispatch(commands, across, across, layers);
+    const auto begin_pass = [&](const auto& params) {
+        vk::begin_pass(context, commands, compute, sets[index].sets[0], params);
     };
-
-    const std::uint32_t source_size = plan.state().source_size;
+    const PrefilterPlan::State& all = plan.state();
     switch (planned.kind) {
-    case PlannedPass::Kind::statistics:
-        dispatch(StatisticsParams{source_size}, groups(source_size / TILE_SIZE, GROUP_SIZE), FACES);
-        break;
+    case PlannedPass::Kind::statistics: begin_pass(StatisticsParams{all.source_size}); break;
     case PlannedPass::Kind::suns:
-        dispatch(SunsParams{source_size, plan.ladder().rungs ? plan.ladder().lowest : 0.0f}, 1, 1);
+        begin_pass(SunsParams{all.source_size, all.ladder.rungs ? all.ladder.lowest : 0.0f});
         break;
-    case PlannedPass::Kind::prepare: {
-        const ChainLevel& to = level(planned.target);
-        dispatch(PrepareParams{to.size, to.margin, planned.block}, groups(to.size, GROUP_SIZE),
-                 FACES);
-        break;
-    }
+    case PlannedPass::Kind::prepare:
     case PlannedPass::Kind::suns_out: {
         const ChainLevel& to = level(planned.target);
-        dispatch(PrepareParams{to.size, to.margin, planned.block}, sun_window(to.size) / GROUP_SIZE,
-                 FACES * MOST_SUNS);
+        begin_pass(PrepareParams{to.size, to.margin, planned.block});
         break;
     }
     case PlannedPass::Kind::margins: {
         const ChainLevel& to = level(planned.target);
-        vk::begin_pass(context, commands, compute, set, MarginsParams{to.size, to.margin});
-        context.call.vkCmdDispatch(commands, groups(to.size, GROUP_SIZE),
-                                   groups(to.margin, GROUP_SIZE), 4 * FACES);
+        begin_pass(MarginsParams{to.size, to.margin});
         break;
     }
     case PlannedPass::Kind::halve: {
         const ChainLevel& to = level(planned.target);
-        dispatch(HalveParams{to.size, to.margin, level(planned.source).margin},
-                 groups(to.size, GROUP_SIZE), FACES);
+        begin_pass(HalveParams{to.size, to.margin, level(planned.source).margin});
         break;
     }
     case PlannedPass::Kind::blur_level:
@@ -208,75 +196,112 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands,
         const bool to_map = planned.kind == PlannedPass::Kind::blur_map;
         const ChainLevel& from = level(planned.source);
         const std::uint32_t size =
-            to_map ? plan.state().maps[planned.maps[0]].size : level(planned.target).size;
-        const std::uint32_t across = to_map ? plan.state().across(planned.maps[0]) : size;
-        dispatch(BlurParams{from.size, from.margin, size, level(planned.target).margin, across,
-                            float(planned.kernel.sharpness), float(planned.kernel.quadratic),
-                            float(planned.kernel.last_chord), float(planned.narrowing),
-                            float(planned.drift), float(edge_excess(from))},
-                 groups(size / 2, GROUP_SIZE), 1);
+            to_map ? all.maps[planned.maps[0]].size : level(planned.target).size;
+        const std::uint32_t across = to_map ? all.across(planned.maps[0]) : size;
+        begin_pass(BlurParams{from.size, from.margin, size, level(planned.target).margin, across,
+                              float(planned.kernel.sharpness), float(planned.kernel.quadratic),
+                              float(planned.kernel.last_chord), float(planned.narrowing),
+                              float(planned.drift), float(edge_excess(from))});
         break;
     }
     case PlannedPass::Kind::project: {
         const ChainLevel& from = level(planned.source);
-        const ProjectParams params{from.size, from.margin};
-        vk::begin_pass(context, commands, compute, set, params);
-        context.call.vkCmdDispatch(commands, FACES * from.size * from.size / CHUNK_TEXELS, 1, 1);
+        begin_pass(ProjectParams{from.size, from.margin});
         break;
     }
-    case PlannedPass::Kind::sum: {
-        const SumParams params{std::uint32_t(plan.state().terms_bytes / (TERMS * TERM_BYTES))};
-        vk::begin_pass(context, commands, compute, set, params);
-        context.call.vkCmdDispatch(commands, groups(TERMS, SUM_GROUP_SIZE), 1, 1);
+    case PlannedPass::Kind::sum:
+        begin_pass(SumParams{std::uint32_t(all.terms_bytes / (TERMS * TERM_BYTES))});
         break;
-    }
     case PlannedPass::Kind::expand: {
-        const std::uint32_t size = plan.state().maps[planned.maps[0]].size;
-        ExpandParams params{size | plan.state().across(planned.maps[0]) << 16,
+        const std::uint32_t size = all.maps[planned.maps[0]].size;
+        ExpandParams params{size | all.across(planned.maps[0]) << 16,
                             std::uint32_t(planned.values.size()) - 1,
                             float(planned.narrowing),
                             {}};
         std::copy(planned.values.begin(), planned.values.end(), params.eigenvalues.begin());
-        vk::begin_pass(context, commands, compute, set, params);
-        context.call.vkCmdDispatch(
-            commands, groups(3 * size * size / 4 / EXPAND_TEXELS, SUM_GROUP_SIZE), 1, 1);
+        begin_pass(params);
         break;
     }
     case PlannedPass::Kind::broad: {
-        const std::uint32_t size = plan.state().maps[planned.maps[0]].size;
+        const std::uint32_t size = all.maps[planned.maps[0]].size;
         const ChainLevel& from = level(planned.source);
         BroadParams params{{}, from.size, size, float(planned.narrowing), float(edge_excess(from))};
         std::copy(planned.values.begin(), planned.values.end(), params.exponents.begin());
-        dispatch(params, groups(size, BROAD_GROUP_SIZE), 1);
+        begin_pass(params);
         break;
     }
     }
+    const Groups groups = groups_of(all, planned);
+    dispatch_pieces(context, commands, groups, first, count);
+    if (first + count < groups.pieces()) return;
     vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
                        VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
                        VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT |
                            VK_ACCESS_UNIFORM_READ_BIT);
 }
 
-void PrefilterJob::record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count,
-                          const PassTimestamps& timestamps) const noexcept {
-    if (count == 0) return;
-    const vk::Context& context = state_->shared->context;
+void PrefilterJob::State::record(VkCommandBuffer commands, PrefilterPosition from,
+                                 PrefilterPosition to,
+                                 const PassTimestamps& timestamps) const noexcept {
+    if (from == to) return;
+    const vk::Context& context = shared->context;
     const auto stamp = [&](VkPipelineStageFlagBits stage, std::uint32_t query) {
         if (timestamps.pool)
             context.call.vkCmdWriteTimestamp(commands, stage, timestamps.pool,
                                              timestamps.first + query);
     };
     const vk::Label label(context, commands, "lobelia prefilter");
-    const bool from_levels = first == state_->plan.first_map_pass();
-    if (first == 0 || from_levels) state_->begin(commands);
-    if (from_levels && state_->plan.state().levels_up_to > 0 && state_->plan.ladder().rungs)
-        state_->tell_ladder(commands);
-    for (std::uint32_t index = first; index < first + count; ++index) {
-        stamp(VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, 2 * index);
-        state_->record_pass(commands, index);
-        stamp(VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, 2 * index + 1);
+    const bool from_start = from == PrefilterPosition{};
+    const bool from_levels = from == PrefilterPosition{plan.first_map_pass(), 0};
+    if (from_start || from_levels) begin(commands);
+    if (from_levels && plan.state().levels_up_to > 0 && plan.ladder().rungs) tell_ladder(commands);
+    for (PrefilterPosition at = from; at.pass < plan.pass_count() && at != to;
+         at = {at.pass + 1, 0}) {
+        const std::uint32_t end = at.pass == to.pass ? to.piece : pieces(at.pass);
+        stamp(VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, 2 * at.pass);
+        record_pass(commands, at.pass, at.piece, end - at.piece);
+        stamp(VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, 2 * at.pass + 1);
+        if (at.pass == to.pass) break;
     }
-    if (first + count == state_->plan.pass_count()) state_->end(commands);
+    if (to.pass == plan.pass_count()) end(commands);
+}
+
+PrefilterPosition PrefilterJob::State::advance(PrefilterPosition from, double milliseconds,
+                                               std::span<const PassRate> rates) const noexcept {
+    PrefilterPosition at = from;
+    while (at.pass < plan.pass_count()) {
+        const PrefilterPass next = plan.pass(at.pass);
+        const std::uint32_t all = pieces(at.pass), left = all - at.piece;
+        const double piece = predicted_milliseconds(rates, next.name, next.work) / all;
+        // The nearest number of pieces: what is over in one frame is under in another.
+        double fit = piece > 0 ? std::floor(milliseconds / piece + 0.5) : double(left);
+        if (at == from) fit = std::max(fit, 1.0);
+        if (fit < double(left)) return {at.pass, at.piece + std::uint32_t(std::max(fit, 0.0))};
+        milliseconds -= piece * left;
+        at = {at.pass + 1, 0};
+    }
+    return at;
+}
+
+void PrefilterJob::record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count,
+                          const PassTimestamps& timestamps) const noexcept {
+    state_->record(commands, {first, 0}, {first + count, 0}, timestamps);
+}
+
+PrefilterPosition PrefilterJob::record(VkCommandBuffer commands, PrefilterPosition from,
+                                       double milliseconds,
+                                       std::span<const PassRate> rates) const noexcept {
+    const PrefilterPosition to = state_->advance(from, milliseconds, rates);
+    state_->record(commands, from, to, {});
+    return to;
+}
+
+std::uint32_t PrefilterJob::frames(double milliseconds,
+                                   std::span<const PassRate> rates) const noexcept {
+    std::uint32_t calls = 0;
+    for (PrefilterPosition at; at.pass < state_->plan.pass_count(); ++calls)
+        at = state_->advance(at, milliseconds, rates);
+    return calls;
 }
 
 } // namespace lobelia

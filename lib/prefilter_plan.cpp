@@ -1,6 +1,7 @@
 #include "prefilter_plan.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <lobelia/lobe.h>
 
@@ -11,6 +12,7 @@ namespace lobelia {
 namespace {
 
 constexpr VkDeviceSize TEXEL_BYTES = 8;
+constexpr VkDeviceSize STATE_BYTES = 16 + 8 * 32 + 8 * 16; // PrefilterState of lobelia/suns.glsl
 constexpr float LARGEST_EXPONENT = 1e6f;
 constexpr float LARGEST_LADDER = 4.1e6f; // what taps ask of the sharpest lobe
 
@@ -84,14 +86,23 @@ VkDeviceSize PrefilterPlan::scratch_size() const noexcept {
     return state_->scratch_bytes;
 }
 VkDeviceSize PrefilterPlan::state_size() const noexcept {
-    return 16 + 8 * 32 + 8 * 16; // PrefilterState of lobelia/suns.glsl
+    return STATE_BYTES;
 }
 std::uint32_t PrefilterPlan::pass_count() const noexcept {
     return std::uint32_t(state_->passes.size());
 }
 
+std::uint32_t PrefilterPlan::source_size() const noexcept {
+    return state_->source_size;
+}
+std::uint32_t PrefilterPlan::finest_level() const noexcept {
+    return state_->levels.front().size;
+}
 std::uint32_t PrefilterPlan::first_map_pass() const noexcept {
     return state_->first_map_pass;
+}
+std::uint32_t PrefilterPlan::source_pass_count() const noexcept {
+    return state_->source_passes;
 }
 bool PrefilterPlan::shares_levels(const PrefilterPlan& other) const noexcept {
     return state_->levels_up_to > 0 && state_->levels_up_to == other.state_->levels_up_to &&
@@ -105,34 +116,54 @@ std::uint64_t texels(std::uint64_t size) {
     return 6 * size * size;
 }
 
-} // namespace
+/// What a pass's time is in proportion to: fetches where they are not one an invocation.
+double work_of(const PrefilterPlan::State& plan, const PlannedPass& planned,
+               std::uint64_t invocations) {
+    const double all = double(invocations);
+    switch (planned.kind) {
+    case PlannedPass::Kind::statistics: return double(texels(plan.source_size));
+    case PlannedPass::Kind::suns: return double(plan.tiles_bytes);
+    case PlannedPass::Kind::prepare:
+    case PlannedPass::Kind::suns_out: return all * (1 + planned.block * planned.block);
+    case PlannedPass::Kind::blur_level:
+    case PlannedPass::Kind::blur_map: {
+        const double reach = std::acos(1 - planned.kernel.last_chord);
+        const double across = reach * plan.levels[planned.source].size + 2; // texels
+        return all * across * across;
+    }
+    case PlannedPass::Kind::expand:
+        return all * double(planned.values.size() * planned.values.size());
+    case PlannedPass::Kind::broad:
+        return all * double(planned.maps.size() * texels(plan.levels[planned.source].size));
+    default: return all;
+    }
+}
 
-PrefilterPass PrefilterPlan::pass(std::uint32_t index) const noexcept {
+PrefilterPass footprint(const PrefilterPlan::State& state, const PlannedPass& planned) {
     constexpr std::uint64_t SOURCE_BYTES = 16; // of a texel
     constexpr std::uint64_t GROUP = 64;        // invocations of a group
     constexpr std::uint64_t PLACES = 4 * 6;    // texels of an invocation of blur.comp
-    const PlannedPass& planned = state_->passes[index];
-    const auto level = [&](std::uint32_t i) { return state_->levels[i].bytes(); };
-    const std::uint64_t map_bytes = state_->map_format == VK_FORMAT_R16G16B16A16_SFLOAT ? 8 : 16;
-    const auto map = [&](std::uint32_t i) { return texels(state_->maps[i].size) * map_bytes; };
-    const std::uint64_t source = texels(state_->source_size);
+    const auto level = [&](std::uint32_t i) { return state.levels[i].bytes(); };
+    const std::uint64_t map_bytes = state.map_format == VK_FORMAT_R16G16B16A16_SFLOAT ? 8 : 16;
+    const auto map = [&](std::uint32_t i) { return texels(state.maps[i].size) * map_bytes; };
+    const std::uint64_t source = texels(state.source_size);
     const std::uint64_t terms = std::uint64_t(TERMS) * TERM_BYTES;
     const std::uint64_t target =
-        planned.target < state_->levels.size() ? texels(state_->levels[planned.target].size) : 0;
+        planned.target < state.levels.size() ? texels(state.levels[planned.target].size) : 0;
     switch (planned.kind) {
     case PlannedPass::Kind::statistics:
-        return {"statistics", source / GROUP, source * SOURCE_BYTES, state_->tiles_bytes};
-    case PlannedPass::Kind::suns: return {"suns", GROUP, state_->tiles_bytes, state_size()};
+        return {"statistics", source / GROUP, source * SOURCE_BYTES, state.tiles_bytes};
+    case PlannedPass::Kind::suns: return {"suns", GROUP, state.tiles_bytes, STATE_BYTES};
     case PlannedPass::Kind::prepare:
         return {"prepare", target, source * SOURCE_BYTES, level(planned.target)};
     case PlannedPass::Kind::suns_out: {
-        const std::uint64_t window = sun_window(state_->levels[planned.target].size);
+        const std::uint64_t window = sun_window(state.levels[planned.target].size);
         const std::uint64_t most = MOST_SUNS * 6 * window * window;
         return {"suns out", most, most * planned.block * planned.block * SOURCE_BYTES,
                 most * TEXEL_BYTES};
     }
     case PlannedPass::Kind::margins: {
-        const ChainLevel& filled = state_->levels[planned.target];
+        const ChainLevel& filled = state.levels[planned.target];
         const std::uint64_t most = std::uint64_t(4) * 6 * filled.size * filled.margin;
         return {"margins", most, most * TEXEL_BYTES, most * TEXEL_BYTES};
     }
@@ -141,21 +172,29 @@ PrefilterPass PrefilterPlan::pass(std::uint32_t index) const noexcept {
     case PlannedPass::Kind::blur_level:
         return {"blur level", target / PLACES, level(planned.source), level(planned.target)};
     case PlannedPass::Kind::blur_map:
-        return {"blur map", texels(state_->maps[planned.maps[0]].size) / PLACES,
+        return {"blur map", texels(state.maps[planned.maps[0]].size) / PLACES,
                 level(planned.source), map(planned.maps[0])};
     case PlannedPass::Kind::project:
-        return {"project", state_->terms_bytes / terms * 32, level(planned.source),
-                state_->terms_bytes};
-    case PlannedPass::Kind::sum: return {"sum", TERMS, state_->terms_bytes, terms};
+        return {"project", state.terms_bytes / terms * 32, level(planned.source),
+                state.terms_bytes};
+    case PlannedPass::Kind::sum: return {"sum", TERMS, state.terms_bytes, terms};
     case PlannedPass::Kind::expand:
-        return {"expand", texels(state_->maps[planned.maps[0]].size) / 16, terms,
+        return {"expand", texels(state.maps[planned.maps[0]].size) / 16, terms,
                 map(planned.maps[0])};
     case PlannedPass::Kind::broad: break;
     }
     std::uint64_t written = 0;
     for (const std::uint32_t i : planned.maps) written += map(i);
-    return {"broad", texels(state_->maps[planned.maps[0]].size) / 6, level(planned.source),
-            written};
+    return {"broad", texels(state.maps[planned.maps[0]].size) / 6, level(planned.source), written};
+}
+
+} // namespace
+
+PrefilterPass PrefilterPlan::pass(std::uint32_t index) const noexcept {
+    const PlannedPass& planned = state_->passes[index];
+    PrefilterPass pass = footprint(*state_, planned);
+    pass.work = work_of(*state_, planned, pass.invocations);
+    return pass;
 }
 
 } // namespace lobelia

@@ -72,6 +72,7 @@ struct PrefilterPlan::State {
     }
     std::vector<ChainLevel> levels;
     std::vector<PlannedPass> passes; // those with maps last
+    std::uint32_t source_passes;     // the first of all, which read the source
     std::uint32_t first_map_pass;
     VkDeviceSize tiles_bytes;
     VkDeviceSize terms_offset, terms_bytes; // partial sums of spherical harmonics

@@ -40,10 +40,18 @@ public:
         const auto maps = std::stable_partition(plan_.passes.begin(), plan_.passes.end(),
                                                 [](const auto& pass) { return pass.maps.empty(); });
         plan_.first_map_pass = std::uint32_t(maps - plan_.passes.begin());
+        const auto levels = std::stable_partition(plan_.passes.begin(), maps, reads_source);
+        plan_.source_passes = std::uint32_t(levels - plan_.passes.begin());
         lay_out();
     }
 
 private:
+    static bool reads_source(const PlannedPass& pass) {
+        using Kind = PlannedPass::Kind;
+        return pass.kind == Kind::statistics || pass.kind == Kind::suns ||
+               pass.kind == Kind::prepare || pass.kind == Kind::suns_out;
+    }
+
     void add_map(float exponent) {
         plan_.maps.push_back(
             {exponent, size_for(double(exponent), tier_, plan_.source_size), tier_.filter});

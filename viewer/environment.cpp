@@ -32,14 +32,19 @@ Outcome<std::optional<host::Environment>> read_source(const std::string& path,
     return std::optional(std::move(*environment));
 }
 
+Outcome<Done> check_face(const std::optional<host::Environment>& source, std::uint32_t face) {
+    if (face != 0 && source && source->image.layout == host::Layout::cube)
+        return host::Failure{"--face is for panoramas; this environment is a cube map of " +
+                             std::to_string(source->image.width) + " texels, leave it out"};
+    return Done{};
+}
+
 Outcome<host::GpuEnvironment> upload_source(host::Gpu& gpu,
                                             const std::optional<host::Environment>& source,
                                             std::uint32_t face, Quality quality,
                                             ProgressLine& progress) {
     progress.begin("making the environment's cube map");
-    if (face != 0 && source && source->image.layout == host::Layout::cube)
-        return host::Failure{"--face is for panoramas; this environment is a cube map of " +
-                             std::to_string(source->image.width) + " texels, leave it out"};
+    if (const auto fits = check_face(source, face); !fits) return fits.error();
     return source ? host::upload_environment(gpu, source->image, face, quality)
                   : host::make_builtin_environment(gpu, face, quality);
 }

@@ -34,6 +34,7 @@ int run(int argument_count, char** arguments) {
     add_view(program, status);
     add_measure(program, status);
     add_gallery(program, status);
+    add_plan(program, status);
     add_devices(program, status);
     try {
         program.parse(argument_count, arguments);

@@ -31,6 +31,14 @@ Json as_json(const host::ImageReport& image) {
             {"bytes", image.bytes},   {"lifetime", image.lifetime}};
 }
 
+Json as_json(const host::PlanReason& reason) {
+    return {{"effect", reason.effect},
+            {"in", reason.in},
+            {"why", reason.why},
+            {"ms", reason.milliseconds},
+            {"bytes", reason.bytes}};
+}
+
 Json as_json(const std::optional<host::Sanitised>& sanitised) {
     if (!sanitised) return nullptr;
     return {{"not_a_number", sanitised->not_a_number},
@@ -53,17 +61,18 @@ void Report::append(const host::WorkReport& more) {
     if (more.suns) work.suns = more.suns;
 }
 
-std::string as_json(const Report& report) {
+std::string as_json(const Report& report, const std::vector<host::PlanReason>& reasons) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - report.start;
-    const Json object{{"device", report.gpu.name},
-                      {"driver", report.gpu.driver},
-                      {"method", report.method},
-                      {"quality", report.quality ? Json(quality_name(*report.quality)) : Json()},
-                      {"passes", as_array(report.work.passes)},
-                      {"images", as_array(report.work.images)},
-                      {"suns", report.work.suns ? Json(*report.work.suns) : Json()},
-                      {"sanitised", as_json(report.sanitised)},
-                      {"seconds", passed.count()}};
+    Json object{{"device", report.gpu.name},
+                {"driver", report.gpu.driver},
+                {"method", report.method},
+                {"quality", report.quality ? Json(quality_name(*report.quality)) : Json()},
+                {"passes", as_array(report.work.passes)},
+                {"images", as_array(report.work.images)},
+                {"suns", report.work.suns ? Json(*report.work.suns) : Json()},
+                {"sanitised", as_json(report.sanitised)},
+                {"seconds", passed.count()}};
+    if (!reasons.empty()) object["why"] = as_array(reasons);
     return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

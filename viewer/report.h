@@ -5,6 +5,7 @@
 #include <string>
 
 #include <lobelia/host/gpu.h>
+#include <lobelia/host/plan.h>
 #include <lobelia/host/read.h>
 #include <lobelia/host/work.h>
 
@@ -23,7 +24,8 @@ struct Report {
     void append(const host::WorkReport& more);
 };
 
-/// One JSON object and a newline; what does not apply is null.
-std::string as_json(const Report& report);
+/// One JSON object and a newline; what does not apply is null. `reasons` are told where there are
+/// some.
+std::string as_json(const Report& report, const std::vector<host::PlanReason>& reasons = {});
 
 } // namespace lobelia::cli

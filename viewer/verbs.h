@@ -9,6 +9,7 @@ namespace lobelia::cli {
 void add_render(CLI::App& program, int& status);
 void add_prefilter(CLI::App& program, int& status);
 void add_view(CLI::App& program, int& status);
+void add_plan(CLI::App& program, int& status);
 void add_measure(CLI::App& program, int& status);
 void add_gallery(CLI::App& program, int& status);
 void add_devices(CLI::App& program, int& status);

@@ -6,6 +6,7 @@
 
 #include <lobelia/device.h>
 #include <lobelia/image.h>
+#include <lobelia/pass_rate.h>
 #include <lobelia/result.h>
 
 namespace lobelia {
@@ -61,6 +62,7 @@ struct PrefilterPass {
     std::uint64_t invocations = 0;
     std::uint64_t bytes_read = 0;
     std::uint64_t bytes_written = 0;
+    double work = 0; // what its time is in proportion to, among passes of its name
 };
 
 /// The passes and memory that a list of maps needs. Depends on the request alone, so it can be made
@@ -79,6 +81,11 @@ public:
     Ladder ladder() const noexcept;
     std::uint32_t ladder_size() const noexcept;
 
+    /// Edge of the faces of the source, and of the finest level made of it: a source of that size
+    /// would do. Texels.
+    std::uint32_t source_size() const noexcept;
+    std::uint32_t finest_level() const noexcept;
+
     /// Bytes of the scratch buffer: STORAGE_BUFFER, UNIFORM_TEXEL_BUFFER usage. Free again when the
     /// recorded commands have run, unless its levels are to be kept. Plans that share levels have
     /// the same size.
@@ -94,6 +101,8 @@ public:
     /// Passes from this one on make the maps and the ladder, those before it the levels that they
     /// are blurred from.
     std::uint32_t first_map_pass() const noexcept;
+    /// Passes before this one read the source, the others do not.
+    std::uint32_t source_pass_count() const noexcept;
     /// Whether the levels that `other`'s passes left in a scratch buffer are those of this plan:
     /// both were made with the same source size, quality and levels_up_to, which is not 0. A job of
     /// this plan, bound to the same source, scratch and state buffer, then makes its maps by the
@@ -114,6 +123,15 @@ struct PassTimestamps {
     std::uint32_t first = 0;           // pool's size >= first + 2 * plan.pass_count()
 };
 
+/// Where a recording that is spread over frames goes on: a piece of a pass, which is a row of its
+/// workgroups.
+struct PrefilterPosition {
+    std::uint32_t pass = 0;
+    std::uint32_t piece = 0;
+
+    bool operator==(const PrefilterPosition&) const = default;
+};
+
 /// A source, maps and buffers bound for recording. Made by Prefilter::bind.
 class LOBELIA_API PrefilterJob {
 public:
@@ -131,6 +149,16 @@ public:
     /// visible to fragment and compute shaders.
     void record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count,
                 const PassTimestamps& timestamps = {}) const noexcept;
+
+    /// The same in pieces, for an environment that lives: records on from `from` what is predicted
+    /// to take `milliseconds` by `rates`, at least one piece, and returns where the next call goes
+    /// on; at the plan's pass_count() the maps are whole. Their bits do not depend on the pieces.
+    /// The source stays as it is until the plan's source_pass_count() passes have run. Shade from
+    /// the maps and the state buffer of another job meanwhile; scratch may be shared.
+    PrefilterPosition record(VkCommandBuffer commands, PrefilterPosition from, double milliseconds,
+                             std::span<const PassRate> rates) const noexcept;
+    /// How many such calls make the maps: the frames that they are behind the environment.
+    std::uint32_t frames(double milliseconds, std::span<const PassRate> rates) const noexcept;
 
 private:
     std::shared_ptr<const State> state_;

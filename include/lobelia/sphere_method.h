@@ -33,6 +33,8 @@ struct SphereShading {
     bool suns = true; // one_tap and better: else the maps have none (the prefilter's state says)
     std::uint32_t samples = 64; // fetches of each lobe by SphereMethod::importance
     static constexpr std::uint32_t MOST_SAMPLES = 1024;
+
+    bool operator==(const SphereShading&) const = default;
 };
 
 /// What the sphere pass reads; cube views in SHADER_READ_ONLY_OPTIMAL, of formats that can be

@@ -1,6 +1,7 @@
 #include "host/averages.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <ctime>
 
@@ -68,7 +69,7 @@ Outcome<Averages> average(Gpu& gpu, const Exact& exact, const ExactSource& sourc
                           ExactSettings settings, std::span<const ExactQuery> queries,
                           const Progress& progress) {
     Averages result;
-    result.report.name = "exact";
+    result.report = exact_pass("exact", source.bytes, queries.size());
     result.texels.reserve(CHANNELS * queries.size());
     for (std::size_t first = 0; first < queries.size(); first += MOST_QUERIES) {
         const std::size_t count = std::min<std::size_t>(MOST_QUERIES, queries.size() - first);
@@ -81,10 +82,20 @@ Outcome<Averages> average(Gpu& gpu, const Exact& exact, const ExactSource& sourc
     }
     for (std::size_t i = CHANNELS - 1; i < result.texels.size(); i += CHANNELS)
         result.texels[i] = 1.0f;
-    result.report.invocations = queries.size();
-    result.report.bytes_read = source.bytes + queries.size_bytes();
-    result.report.bytes_written = result.texels.size() * sizeof(float);
     return result;
+}
+
+PassReport exact_pass(const std::string& name, std::uint64_t source_bytes, std::uint64_t count) {
+    return {.name = name,
+            .invocations = count,
+            .bytes_read = source_bytes + count * sizeof(ExactQuery),
+            .bytes_written = count * CHANNELS * sizeof(float)};
+}
+
+double exact_work(const PassReport& pass, float exponent) {
+    // Where the lobe has fallen to a thousandth; at least a few texels.
+    const double share = 0.5 * (1 - std::pow(1e-3, 1 / std::max(double(exponent), 1.0)));
+    return double(pass.bytes_read) * double(pass.invocations) * (share + 1e-4);
 }
 
 Progress share(const Progress& progress, double from, double to) {
@@ -131,15 +142,18 @@ CubeMap lend_cube(const GpuImage& image) {
     return {image.handle(), shape.format, shape.width, shape.levels};
 }
 
+const char* format_name(VkFormat format) {
+    return format == VK_FORMAT_R16G16B16A16_SFLOAT ? "R16G16B16A16_SFLOAT" : "R32G32B32A32_SFLOAT";
+}
+
 ImageReport image_report(const std::string& name, const GpuImage& image, const char* lifetime) {
     const GpuImageDescription& shape = image.description();
-    const bool half = shape.format == VK_FORMAT_R16G16B16A16_SFLOAT;
     return {name,
             shape.width,
             shape.height,
             shape.layers,
             shape.levels,
-            half ? "R16G16B16A16_SFLOAT" : "R32G32B32A32_SFLOAT",
+            format_name(shape.format),
             image_bytes(image),
             lifetime};
 }

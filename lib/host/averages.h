@@ -28,6 +28,11 @@ Outcome<Averages> average(Gpu& gpu, const Exact& exact, const ExactSource& sourc
                           ExactSettings settings, std::span<const ExactQuery> queries,
                           const Progress& progress);
 
+/// What a report says of `count` averages over a source of that many bytes, and what their time is
+/// in proportion to: the texels that the lobe reaches.
+PassReport exact_pass(const std::string& name, std::uint64_t source_bytes, std::uint64_t count);
+double exact_work(const PassReport& pass, float exponent);
+
 /// The part of `progress` from `from` to `to`.
 Progress share(const Progress& progress, double from, double to);
 
@@ -42,6 +47,8 @@ double process_milliseconds();
 Failure core_failure(const Error& error);
 
 ImageReport image_report(const std::string& name, const GpuImage& image, const char* lifetime);
+
+const char* format_name(VkFormat format);
 
 /// Texels and bytes of all levels and layers.
 std::uint64_t image_texels(const GpuImage& image);

@@ -131,4 +131,20 @@ std::vector<SpherePixel> sphere_pixels(const SphereView& view) {
     return pixels;
 }
 
+bool sees_sphere(const SphereView& view) {
+    const CameraRays rays = camera_rays(view);
+    const Vector centre = -1.0 * rays.eye;
+    if (dot(centre, rays.centre) < -1.0) return false; // behind the eye
+    // The planes through the eye and a side of the picture; the inside is where the middle is.
+    const Vector x = 0.5 * view.width * rays.per_x, y = 0.5 * view.height * rays.per_y;
+    for (const auto& [side, along] :
+         {std::pair{rays.centre + x, rays.per_y}, std::pair{rays.centre - x, rays.per_y},
+          std::pair{rays.centre + y, rays.per_x}, std::pair{rays.centre - y, rays.per_x}}) {
+        Vector inward = normalised(cross(side, along));
+        if (dot(inward, rays.centre) < 0) inward = -1.0 * inward;
+        if (dot(inward, centre) < -1.0) return false;
+    }
+    return true;
+}
+
 } // namespace lobelia::host

@@ -6,6 +6,7 @@
 #include <lobelia/sky.h>
 
 #include "host/averages.h"
+#include "host/environment_plan.h"
 
 namespace lobelia::host {
 
@@ -19,10 +20,10 @@ GpuImageDescription cube_shape(std::uint32_t face) {
     return {.width = face, .height = face, .layers = 6, .usage = USAGE, .cube = true};
 }
 
-Outcome<GpuEnvironment> resample(Gpu& gpu, GpuImage panorama, WorkReport report, std::uint32_t face,
-                                 Quality quality) {
+/// Makes the cube map; the last pass of the plan.
+Outcome<GpuEnvironment> resample(Gpu& gpu, GpuImage panorama, EnvironmentPlan plan) {
     const GpuImageDescription& shape = panorama.description();
-    auto cube = gpu.create_image(cube_shape(face ? face : default_face(shape.width, quality)));
+    auto cube = gpu.create_image(cube_shape(plan.face));
     if (!cube) return cube.error();
     const auto pass = PanoramaToCube::create(gpu.device());
     if (!pass) return core_failure(pass.error());
@@ -31,25 +32,19 @@ Outcome<GpuEnvironment> resample(Gpu& gpu, GpuImage panorama, WorkReport report,
                                 {cube->handle(), shape.format, size, 1});
     if (!job) return core_failure(job.error());
 
-    PassReport run{.name = "panorama to cube",
-                   .invocations = std::uint64_t(6) * size * size,
-                   .bytes_read = image_bytes(panorama),
-                   .bytes_written = image_bytes(*cube)};
-    const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) { job->record(commands); });
+    const auto done = run_pass(gpu, plan.report.passes.back(),
+                               [&](VkCommandBuffer commands) { job->record(commands); });
     if (!done) return done.error();
-    report.passes.push_back(run);
-    report.images.push_back(image_report("panorama", panorama, "kept"));
-    report.images.push_back(image_report("environment cube", *cube, "kept"));
-    return GpuEnvironment{std::move(panorama), std::move(*cube), std::move(report)};
+    return GpuEnvironment{std::move(panorama), std::move(*cube), std::move(plan.report)};
 }
 
 Outcome<GpuEnvironment> upload_cube(Gpu& gpu, const Image& image) {
     auto cube = gpu.create_image(cube_shape(image.width));
     if (!cube) return cube.error();
     if (const auto done = gpu.upload(image, *cube); !done) return done.error();
-    GpuEnvironment environment{std::nullopt, std::move(*cube), {}};
-    environment.report.images.push_back(image_report("environment cube", environment.cube, "kept"));
-    return environment;
+    const EnvironmentShape shape = shape_of(image);
+    return GpuEnvironment{std::nullopt, std::move(*cube),
+                          plan_environment(shape, 0, Quality::normal).report, shape.constant};
 }
 
 bool is_complete(const Image& image) {
@@ -77,7 +72,10 @@ Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::ui
         gpu.create_image({.width = image.width, .height = image.height, .usage = USAGE});
     if (!panorama) return panorama.error();
     if (const auto done = gpu.upload(image, *panorama); !done) return done.error();
-    return resample(gpu, std::move(*panorama), {}, face, quality);
+    const EnvironmentShape shape = shape_of(image);
+    auto environment = resample(gpu, std::move(*panorama), plan_environment(shape, face, quality));
+    if (environment) environment->constant = shape.constant;
+    return environment;
 }
 
 Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face, Quality quality) {
@@ -90,12 +88,11 @@ Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face, Q
         sky->bind({panorama->handle(), panorama->view(), BUILTIN_WIDTH, BUILTIN_WIDTH / 2});
     if (!job) return core_failure(job.error());
 
-    PassReport run{.name = "sky",
-                   .invocations = std::uint64_t(BUILTIN_WIDTH) * BUILTIN_WIDTH / 2,
-                   .bytes_written = image_bytes(*panorama)};
-    const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) { job->record(commands); });
+    EnvironmentPlan plan = plan_environment(builtin_shape(), face, quality);
+    const auto done = run_pass(gpu, plan.report.passes.front(),
+                               [&](VkCommandBuffer commands) { job->record(commands); });
     if (!done) return done.error();
-    return resample(gpu, std::move(*panorama), {.passes = {run}, .images = {}}, face, quality);
+    return resample(gpu, std::move(*panorama), std::move(plan));
 }
 
 } // namespace lobelia::host

@@ -45,7 +45,7 @@ Outcome<Averages> average_by_samples(Gpu& gpu, const Importance& importance, con
                                      ImportanceSettings settings, std::span<const Vector> axes,
                                      const Progress& progress) {
     Averages result;
-    result.report.name = settings.filtered ? "filtered importance" : "importance";
+    result.report = importance_pass(settings.filtered, image_bytes(source), axes.size());
     result.texels.reserve(CHANNELS * axes.size());
     const double size = double(axes.size());
     for (std::size_t first = 0; first < axes.size(); first += MOST_QUERIES) {
@@ -56,11 +56,15 @@ Outcome<Averages> average_by_samples(Gpu& gpu, const Importance& importance, con
             share(progress, double(first) / size, double(first + count) / size), result);
         if (!done) return done.error();
     }
-    const std::uint64_t bytes = result.texels.size() * sizeof(float);
-    result.report.invocations = axes.size();
-    result.report.bytes_read = image_bytes(source) + bytes;
-    result.report.bytes_written = bytes;
     return result;
+}
+
+PassReport importance_pass(bool filtered, std::uint64_t mips_bytes, std::uint64_t count) {
+    const std::uint64_t bytes = count * CHANNELS * sizeof(float);
+    return {.name = filtered ? "filtered importance" : "importance",
+            .invocations = count,
+            .bytes_read = mips_bytes + bytes,
+            .bytes_written = bytes};
 }
 
 } // namespace lobelia::host

@@ -13,4 +13,7 @@ Outcome<Averages> average_by_samples(Gpu& gpu, const Importance& importance, con
                                      ImportanceSettings settings, std::span<const Vector> axes,
                                      const Progress& progress);
 
+/// What a report says of `count` averages over mips of that many bytes.
+PassReport importance_pass(bool filtered, std::uint64_t mips_bytes, std::uint64_t count);
+
 } // namespace lobelia::host

@@ -84,63 +84,84 @@ Outcome<std::optional<GpuImage>> resized_cube(Gpu& gpu, const GpuEnvironment& en
 }
 
 Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, PrefilterRequest request) {
+    request.source_size = prefilter_face(environment.cube.description().width);
+    const auto plan = PrefilterPlan::make(request);
+    if (!plan) return core_failure(plan.error());
+    return bind_maps(gpu, environment, *plan);
+}
+
+Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, const PrefilterPlan& plan) {
     auto resized = resized_cube(gpu, environment);
     if (!resized) return resized.error();
     const GpuImage& source = *resized ? **resized : environment.cube;
-    request.source_size = source.description().width;
-    auto plan = PrefilterPlan::make(request);
-    if (!plan) return core_failure(plan.error());
     const auto prefilter = Prefilter::create(gpu.device());
     if (!prefilter) return core_failure(prefilter.error());
 
-    auto images = make_images(gpu, plan->maps());
+    auto images = make_images(gpu, plan.maps());
     if (!images) return images.error();
-    auto ladder = make_ladder_image(gpu, *plan);
+    auto ladder = make_ladder_image(gpu, plan);
     if (!ladder) return ladder.error();
-    auto scratch = gpu.create_buffer(plan->scratch_size(),
+    auto scratch = gpu.create_buffer(plan.scratch_size(),
                                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                          VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
                                      Memory::device);
     if (!scratch) return scratch.error();
     auto state = gpu.create_buffer(
-        plan->state_size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+        plan.state_size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
         Memory::host);
     if (!state) return state.error();
 
     std::vector<CubeMap> lent;
     for (const GpuImage& image : *images) lent.push_back(lend_cube(image));
-    auto job = prefilter->bind(*plan, lend_cube(source), lent, scratch->handle(), state->handle(),
+    auto job = prefilter->bind(plan, lend_cube(source), lent, scratch->handle(), state->handle(),
                                *ladder ? (*ladder)->handle() : VK_NULL_HANDLE);
     if (!job) return core_failure(job.error());
-    PrefilteredMaps maps{{plan->maps().begin(), plan->maps().end()},
+    PrefilteredMaps maps{{plan.maps().begin(), plan.maps().end()},
                          std::move(*images),
                          std::move(*ladder),
                          std::move(*state),
                          {}};
-    return MapsJob{std::move(*plan), std::move(*resized), std::move(*scratch), std::move(*job),
+    return MapsJob{plan, std::move(*resized), std::move(*scratch), std::move(*job),
                    std::move(maps)};
 }
 
 Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
-                                   PrefilterRequest request, const Progress& progress) {
-    auto bound = bind_maps(gpu, environment, request);
+                                   const PrefilterPlan& plan, const Progress& progress) {
+    auto bound = bind_maps(gpu, environment, plan);
     if (!bound) return bound.error();
     PrefilteredMaps& maps = bound->maps;
     const auto done = run(gpu, bound->plan, bound->job, progress, maps.report);
     if (!done) return done.error();
-    for (std::size_t i = 0; i < maps.images.size(); ++i)
-        maps.report.images.push_back(image_report(
-            "map n=" + number_text(maps.descriptions[i].exponent), maps.images[i], "kept"));
-    if (maps.ladder)
-        maps.report.images.push_back(image_report(
-            "ladder from n=" + number_text(bound->plan.ladder().lowest), *maps.ladder, "kept"));
+    maps.report.images = map_reports(plan);
     std::uint32_t suns = 0;
     std::memcpy(&suns, maps.state.data() + SUN_COUNT_OFFSET, sizeof suns);
     maps.report.suns = suns;
     return std::move(maps);
 }
 
-Outcome<GpuImage> make_clipped_tables(Gpu& gpu) {
+std::vector<ImageReport> map_reports(const PrefilterPlan& plan) {
+    const auto report = [](const char* what, float exponent, std::uint32_t size,
+                           std::uint32_t layers) -> ImageReport {
+        constexpr std::uint64_t HALF_BYTES = 8; // of a texel
+        return {what + number_text(exponent),
+                size,
+                size,
+                layers,
+                1,
+                format_name(VK_FORMAT_R16G16B16A16_SFLOAT),
+                HALF_BYTES * size * size * layers,
+                "kept"};
+    };
+    std::vector<ImageReport> reports;
+    for (const PrefilteredMap& map : plan.maps())
+        reports.push_back(report("map n=", map.exponent, map.size, 6));
+    if (plan.ladder().rungs)
+        reports.push_back(report("ladder from n=", plan.ladder().lowest, plan.ladder_size(),
+                                 6 * plan.ladder().rungs));
+    return reports;
+}
+
+Outcome<GpuImage> make_clipped_tables(Gpu& gpu, PassReport& run) {
     const auto tables = ClippedTables::create(gpu.device());
     if (!tables) return core_failure(tables.error());
     auto image =
@@ -154,7 +175,7 @@ Outcome<GpuImage> make_clipped_tables(Gpu& gpu) {
         ClippedTables::BUFFER_BYTES,
         VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT, Memory::device);
     if (!buffer) return buffer.error();
-    const auto done = gpu.submit([&](VkCommandBuffer commands) {
+    const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) {
         tables->record(commands, buffer->handle(), image->handle());
     });
     if (!done) return done.error();

@@ -29,15 +29,24 @@ struct MapsJob {
     PrefilterJob job;
     PrefilteredMaps maps;
 };
-/// The request's source size is that of the environment, here and in make_maps().
+/// The request's source size is that of the environment.
 Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, PrefilterRequest request);
+/// The plan's source size is prefilter_face() of the environment's.
+Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, const PrefilterPlan& plan);
 
 /// Runs the prefilter on the environment's cube map, pass by pass.
 Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
-                                   PrefilterRequest request, const Progress& progress);
+                                   const PrefilterPlan& plan, const Progress& progress);
 
-/// The tables of ClippedTables, on the device: one image for every environment and material.
-Outcome<GpuImage> make_clipped_tables(Gpu& gpu);
+/// What a report says of the plan's maps.
+std::vector<ImageReport> map_reports(const PrefilterPlan& plan);
+
+/// The tables of ClippedTables, on the device: one image for every environment and material. Adds
+/// the times of the upload to `run`.
+Outcome<GpuImage> make_clipped_tables(Gpu& gpu, PassReport& run);
+
+/// What a report says of reading a map of that many bytes at `count` directions.
+PassReport read_map_pass(std::uint64_t map_bytes, std::uint64_t count);
 
 /// Reads map `index` of `maps` at the unit vectors `axes`.
 Outcome<Averages> read_map(Gpu& gpu, const MapReader& reader, const PrefilteredMaps& maps,

@@ -1,7 +1,6 @@
 #include "host/averages.h"
 #include "host/checks.h"
-#include "host/colour_target.h"
-#include "host/sphere_inputs.h"
+#include "host/drawing.h"
 #include "host/warm_cost.h"
 
 namespace lobelia::host {
@@ -18,34 +17,10 @@ std::uint32_t affordable_size(double pixel_ms, std::uint32_t size) {
     return size;
 }
 
-/// A picture of the sphere, ready to be drawn any number of times.
-struct Drawing {
-    ColourTarget target;
-    SphereJob job;
-    SphereView view;
-
-    Outcome<Done> run(Gpu& gpu, PassReport& report) const {
-        return run_pass(gpu, report, [&](VkCommandBuffer commands) {
-            target.record(commands, [&](VkCommandBuffer inside) { job.record(inside, view); });
-        });
-    }
-};
-
-Outcome<Drawing> prepare(Gpu& gpu, const SphereInputs& inputs, const SphereView& view) {
-    auto target = ColourTarget::create(gpu, view.width, view.height);
-    if (!target) return target.error();
-    const auto sphere =
-        Sphere::create(gpu.device(), {.render_pass = target->render_pass()}, inputs.shading);
-    if (!sphere) return core_failure(sphere.error());
-    auto job = sphere->bind(inputs.sources);
-    if (!job) return core_failure(job.error());
-    return Drawing{std::move(*target), std::move(*job), view};
-}
-
 Outcome<std::vector<float>> covered_colours(Gpu& gpu, const Drawing& drawing) {
     PassReport run;
     if (const auto done = drawing.run(gpu, run); !done) return done.error();
-    const auto picture = gpu.download(drawing.target.image(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    const auto picture = drawing.picture(gpu);
     if (!picture) return picture.error();
     std::vector<float> colours;
     for (std::size_t i = 0; i < picture->texels.size(); i += 4)
@@ -79,7 +54,7 @@ Outcome<Measured> measure_shading(Gpu& gpu, const GpuEnvironment& environment,
     if (const auto refused = check_material(view.material, true)) return *refused;
     const auto inputs = make_sphere_inputs(gpu, environment, settings, {});
     if (!inputs) return inputs.error();
-    const auto small = prepare(gpu, *inputs, view);
+    const auto small = Drawing::create(gpu, *inputs, view);
     if (!small) return small.error();
     auto colours = covered_colours(gpu, *small);
     if (!colours) return colours.error();
@@ -90,7 +65,7 @@ Outcome<Measured> measure_shading(Gpu& gpu, const GpuEnvironment& environment,
     if (const auto done = small->run(gpu, warm); !done) return done.error();
     const double pixel_ms = warm.cpu_ms.value_or(0.0) / (double(view.width) * view.height);
     view.width = view.height = affordable_size(pixel_ms, timed_size);
-    const auto large = prepare(gpu, *inputs, view);
+    const auto large = Drawing::create(gpu, *inputs, view);
     if (!large) return large.error();
     auto cost = warm_cost(gpu, [&](PassReport& report) { return large->run(gpu, report); });
     if (!cost) return cost.error();

@@ -10,7 +10,13 @@ namespace lobelia::host {
 
 namespace {
 
-VkFormat filterable_format(const Gpu& gpu) {
+std::uint32_t level_count(std::uint32_t face, std::uint32_t last_face) {
+    return std::uint32_t(std::bit_width(std::max(face / last_face, 1u)));
+}
+
+} // namespace
+
+VkFormat mips_format(const Gpu& gpu) {
     const auto properties_of = reinterpret_cast<PFN_vkGetPhysicalDeviceFormatProperties>(
         gpu.get_instance_proc_addr()(gpu.instance(), "vkGetPhysicalDeviceFormatProperties"));
     VkFormatProperties found{};
@@ -20,7 +26,20 @@ VkFormat filterable_format(const Gpu& gpu) {
                : VK_FORMAT_R16G16B16A16_SFLOAT;
 }
 
-} // namespace
+WorkReport mips_report(const Gpu& gpu, std::uint32_t face, std::uint32_t last_face) {
+    const VkFormat format = mips_format(gpu);
+    const std::uint32_t levels = level_count(face, last_face);
+    std::uint64_t texels = 0;
+    for (std::uint32_t level = 0; level < levels; ++level)
+        texels += std::uint64_t(6) * (face >> level) * (face >> level);
+    const std::uint64_t bytes = texels * (format == VK_FORMAT_R32G32B32A32_SFLOAT ? 16 : 8);
+    const std::uint64_t source = std::uint64_t(6) * 16 * face * face;
+    return {.passes = {{.name = "mips",
+                        .invocations = texels,
+                        .bytes_read = source + bytes,
+                        .bytes_written = bytes}},
+            .images = {{"mips", face, face, 6, levels, format_name(format), bytes, "scratch"}}};
+}
 
 Outcome<EnvironmentMips> make_mips(Gpu& gpu, const GpuEnvironment& environment,
                                    std::uint32_t last_face, MipWeights weights) {
@@ -28,30 +47,23 @@ Outcome<EnvironmentMips> make_mips(Gpu& gpu, const GpuEnvironment& environment,
     if (!resized) return resized.error();
     const GpuImage& source = *resized ? **resized : environment.cube;
     const std::uint32_t size = source.description().width;
-    auto image =
-        gpu.create_image({.format = filterable_format(gpu),
-                          .width = size,
-                          .height = size,
-                          .layers = 6,
-                          .levels = std::uint32_t(std::bit_width(std::max(size / last_face, 1u))),
-                          .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT,
-                          .cube = true});
+    auto image = gpu.create_image({.format = mips_format(gpu),
+                                   .width = size,
+                                   .height = size,
+                                   .layers = 6,
+                                   .levels = level_count(size, last_face),
+                                   .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT,
+                                   .cube = true});
     if (!image) return image.error();
     const auto mips = Mips::create(gpu.device());
     if (!mips) return core_failure(mips.error());
     const auto job = mips->bind(lend_cube(source), lend_cube(*image), weights);
     if (!job) return core_failure(job.error());
 
-    const std::uint64_t bytes = image_bytes(*image);
-    PassReport run{.name = "mips",
-                   .invocations = image_texels(*image),
-                   .bytes_read = image_bytes(source) + bytes,
-                   .bytes_written = bytes};
-    const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) { job->record(commands); });
+    EnvironmentMips made{std::move(*image), mips_report(gpu, size, last_face)};
+    const auto done = run_pass(gpu, made.report.passes.front(),
+                               [&](VkCommandBuffer commands) { job->record(commands); });
     if (!done) return done.error();
-    EnvironmentMips made{std::move(*image), {}};
-    made.report.passes.push_back(run);
-    made.report.images.push_back(image_report("mips", made.image, "scratch"));
     return made;
 }
 

@@ -12,6 +12,13 @@ struct EnvironmentMips {
     WorkReport report;
 };
 
+/// The format of mips on this device.
+VkFormat mips_format(const Gpu& gpu);
+
+/// What a report says of mips of a cube map with faces of `face` texels, a size that prefilters
+/// read.
+WorkReport mips_report(const Gpu& gpu, std::uint32_t face, std::uint32_t last_face);
+
 /// Levels down to faces of `last_face` texels, a power of two; of a cube map that is no larger,
 /// level 0 alone.
 Outcome<EnvironmentMips> make_mips(Gpu& gpu, const GpuEnvironment& environment,

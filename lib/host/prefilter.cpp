@@ -81,9 +81,12 @@ Outcome<Prefiltering> by_importance(Gpu& gpu, const GpuEnvironment& environment,
 
 Outcome<Prefiltering> by_chain(Gpu& gpu, const GpuEnvironment& environment,
                                const PrefilterSettings& settings, const Progress& progress) {
-    const auto maps =
-        make_maps(gpu, environment, {.exponents = settings.exponents, .quality = settings.quality},
-                  share(progress, 0.0, 0.5));
+    const auto plan =
+        PrefilterPlan::make({.exponents = settings.exponents,
+                             .quality = settings.quality,
+                             .source_size = prefilter_face(environment.cube.description().width)});
+    if (!plan) return core_failure(plan.error());
+    const auto maps = make_maps(gpu, environment, *plan, share(progress, 0.0, 0.5));
     if (!maps) return maps.error();
     const auto reader = MapReader::create(gpu.device());
     if (!reader) return core_failure(reader.error());

@@ -22,14 +22,19 @@ Outcome<Averages> read_map(Gpu& gpu, const MapReader& reader, const PrefilteredM
                                   .results = output->handle(),
                                   .count = std::uint32_t(axes.size())});
     if (!job) return core_failure(job.error());
-    PassReport run{.name = "read map",
-                   .invocations = axes.size(),
-                   .bytes_read = bytes + image_bytes(maps.images[index]),
-                   .bytes_written = bytes};
+    PassReport run = read_map_pass(image_bytes(maps.images[index]), axes.size());
     const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) { job->record(commands); });
     if (!done) return done.error();
     std::memcpy(values.data(), output->data(), bytes);
     return Averages{std::move(values), run};
+}
+
+PassReport read_map_pass(std::uint64_t map_bytes, std::uint64_t count) {
+    const std::uint64_t bytes = count * 4 * sizeof(float);
+    return {.name = "read map",
+            .invocations = count,
+            .bytes_read = bytes + map_bytes,
+            .bytes_written = bytes};
 }
 
 } // namespace lobelia::host

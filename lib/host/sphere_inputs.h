@@ -1,6 +1,6 @@
 #pragma once
 
-#include <lobelia/host/work.h>
+#include "host/scene_plan.h"
 
 namespace lobelia::host {
 
@@ -8,12 +8,13 @@ namespace lobelia::host {
 /// inputs as long as the same lobes are black and, for methods whose maps are made for an exponent,
 /// the exponent stays.
 struct SphereInputs {
-    SphereShading shading;
-    SphereSources sources;
-    std::vector<GpuImage> images;
-    std::vector<GpuBuffer> buffers;
+    ScenePlan plan;
+    SphereShading shading{}; // the plan's, without suns where none were found
+    SphereSources sources{};
+    std::vector<GpuImage> images{};
+    std::vector<GpuBuffer> buffers{};
     std::uint64_t bytes = 0; // of what the pass reads
-    WorkReport report;
+    WorkReport report{};
 };
 
 /// Makes what `settings.method` reads, pass by pass.

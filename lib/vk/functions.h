@@ -10,6 +10,7 @@
     X(vkCmdBindPipeline)                                                                           \
     X(vkCmdCopyBufferToImage)                                                                      \
     X(vkCmdDispatch)                                                                               \
+    X(vkCmdDispatchBase)                                                                           \
     X(vkCmdDraw)                                                                                   \
     X(vkCmdPipelineBarrier)                                                                        \
     X(vkCmdPushConstants)                                                                          \

@@ -77,8 +77,11 @@ private:
 /// A test that looks at pictures of the sphere.
 class SphereTest : public GpuTest {
 protected:
+    /// Light of one colour goes through the maps like any other: that it need not is not told.
     host::GpuEnvironment upload(const host::Image& image, std::uint32_t face = 0) {
-        return value_of(host::upload_environment(gpu, image, face));
+        host::GpuEnvironment environment = value_of(host::upload_environment(gpu, image, face));
+        environment.constant = false;
+        return environment;
     }
     host::Image draw(const host::GpuEnvironment& environment, const SphereView& view,
                      SphereMethod method = SphereMethod::split_sum) {

@@ -50,10 +50,13 @@ protected:
     }
 
     Torus draw_torus(const host::GpuEnvironment& environment) {
-        const host::PrefilteredMaps maps = value_of(
-            host::make_maps(gpu, environment,
-                            {.lambert = true, .ladder = ladder_for(Taps::two, 8.0f, 512.0f)}, {}));
-        const host::GpuImage tables = value_of(host::make_clipped_tables(gpu));
+        const PrefilterPlan plan =
+            value_of(PrefilterPlan::make({.lambert = true,
+                                          .ladder = ladder_for(Taps::two, 8.0f, 512.0f),
+                                          .source_size = environment.cube.description().width}));
+        const host::PrefilteredMaps maps = value_of(host::make_maps(gpu, environment, plan, {}));
+        host::PassReport upload;
+        const host::GpuImage tables = value_of(host::make_clipped_tables(gpu, upload));
         const host::GpuBuffer picture = storage(PIXELS * sizeof(float[4]));
         const host::GpuBuffer surfaces = storage(PIXELS * sizeof(Surface));
 

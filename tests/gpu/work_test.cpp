@@ -62,8 +62,10 @@ TEST_F(WorkTest, ReportsWhatItDid) {
     const auto rendering = value_of(host::render(gpu, environment, {.view = view}));
     std::string names;
     for (const host::PassReport& pass : rendering.report.passes) names += pass.name + ";";
-    EXPECT_EQ(names, "statistics;suns;prepare;suns "
-                     "out;margins;project;sum;expand;expand;expand;expand;expand;expand;sphere;");
+    EXPECT_EQ(
+        names,
+        "statistics;suns;prepare;suns "
+        "out;margins;project;sum;expand;expand;expand;expand;expand;expand;clipped tables;sphere;");
     EXPECT_EQ(rendering.report.passes.back().invocations, 80u);
     EXPECT_EQ(rendering.report.passes.back().bytes_written, 80u * 16);
 }

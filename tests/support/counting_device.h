@@ -82,6 +82,13 @@ inline VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL look_up(VkDevice device, const c
     return found;
 }
 
+inline VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL look_up_instance(VkInstance instance,
+                                                                 const char* name) {
+    const PFN_vkVoidFunction found = vkGetInstanceProcAddr(instance, name);
+    if (std::strcmp(name, "vkGetDeviceProcAddr") != 0) return found;
+    return replace(found, next, &look_up);
+}
+
 } // namespace counting
 
 /// The device, counting what the core records with it.
@@ -90,6 +97,11 @@ inline Device counting_device(const host::Gpu& gpu) {
     counting::next = device.get_device_proc_addr;
     device.get_device_proc_addr = &counting::look_up;
     return device;
+}
+
+/// A device of the host whose core counts.
+inline host::GpuOptions counting_options() {
+    return {.validation = true, .get_instance_proc_addr = &counting::look_up_instance};
 }
 
 } // namespace lobelia::test

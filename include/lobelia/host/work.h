@@ -50,6 +50,7 @@ struct GpuEnvironment {
     std::optional<GpuImage> panorama;
     GpuImage cube; // R32G32B32A32_SFLOAT, one level
     WorkReport report;
+    bool constant = false; // all texels are known to be equal: nothing need be averaged
 };
 
 /// The faces of the cube map that a panorama is made into where nothing else is asked for: the next

@@ -1,0 +1,296 @@
+#include <lobelia/scene.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include <lobelia/clipped_tables.h>
+#include <lobelia/irradiance.h>
+
+#include "vk/guard.h"
+
+namespace lobelia {
+
+namespace {
+
+constexpr std::uint64_t FLOAT_BYTES = 16, HALF_BYTES = 8; // of a texel
+constexpr std::uint32_t FACES = 6;
+constexpr VkImageUsageFlags MAP_USAGE = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+
+bool is_black(const std::array<float, 3>& colour) {
+    return colour == std::array<float, 3>{};
+}
+
+std::optional<Taps> taps_of(SphereMethod method) {
+    switch (method) {
+    case SphereMethod::one_tap: return Taps::one;
+    case SphereMethod::two_tap: return Taps::two;
+    case SphereMethod::hybrid: return Taps::five;
+    default: return std::nullopt;
+    }
+}
+
+bool has_harmonics(SphereMethod method) {
+    return method == SphereMethod::sh2 || method == SphereMethod::sh4;
+}
+
+/// Whether the method reads maps of the prefilter.
+bool reads_maps(SphereMethod method) {
+    return taps_of(method) || has_harmonics(method) || method == SphereMethod::split_sum;
+}
+
+std::string exponent_text(float exponent) {
+    char text[32];
+    return std::string(text, std::to_chars(text, text + sizeof text, exponent).ptr);
+}
+
+/// The exponents of materials that shine.
+struct Exponents {
+    std::vector<float> all; // different ones, of materials that do not vary
+    bool vary = false;
+    float least = 0, most = 0;
+};
+
+Exponents exponents_of(const Scene& scene) {
+    Exponents found;
+    for (const SceneMaterial& material : scene.materials) {
+        if (is_black(material.specular)) continue;
+        const bool first = found.all.empty();
+        found.least =
+            first ? material.least_exponent : std::min(found.least, material.least_exponent);
+        found.most = first ? material.most_exponent : std::max(found.most, material.most_exponent);
+        found.vary = found.vary || material.least_exponent < material.most_exponent;
+        if (std::find(found.all.begin(), found.all.end(), material.least_exponent) ==
+            found.all.end())
+            found.all.push_back(material.least_exponent);
+    }
+    return found;
+}
+
+} // namespace
+
+struct ScenePlan::State {
+    Scene scene; // without its materials
+    SphereShading shading;
+    std::optional<PrefilterPlan> prefilter;
+    bool environment_is_its_maps = false;
+    std::vector<ScenePass> passes;
+    std::vector<SceneResource> resources;
+    std::deque<std::string> names; // of resources
+    std::uint64_t read = 0;        // bytes, by the draw
+
+    Result<Done> fill(const Scene& from);
+
+private:
+    Result<Done> plan_maps(const Exponents& exponents);
+    void plan_other_maps();
+    Result<Done> add_prefilter(PrefilterRequest request);
+    void add_tables();
+    void add_mips(std::uint32_t last_face);
+    void add_irradiance();
+    void add_draw();
+    void keep(const SceneResource& resource) {
+        resources.push_back(resource);
+        if (resource.kept) read += resource.bytes;
+    }
+    std::uint64_t source_bytes(std::uint32_t size) const {
+        return FACES * FLOAT_BYTES * size * size;
+    }
+};
+
+Result<Done> ScenePlan::State::fill(const Scene& from) {
+    scene = from;
+    scene.materials = {};
+    if (!scene.background_size) scene.background_size = scene.source_size;
+    shading = {.method = scene.method,
+               .diffuse = false,
+               .specular = false,
+               .background = scene.background,
+               .samples = scene.samples};
+    for (const SceneMaterial& material : from.materials) {
+        if (!(material.least_exponent <= material.most_exponent))
+            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
+                         "a material's least exponent is the least"};
+        shading.diffuse = shading.diffuse || !is_black(material.diffuse);
+        shading.specular = shading.specular || !is_black(material.specular);
+    }
+    if (scene.background) read += source_bytes(scene.background_size);
+    const bool lit = shading.diffuse || shading.specular;
+    environment_is_its_maps = lit && scene.constant && reads_maps(scene.method);
+    if (!lit || environment_is_its_maps)
+        shading.method = SphereMethod::plain_split_sum;
+    else if (reads_maps(scene.method)) {
+        if (const auto planned = plan_maps(exponents_of(from)); !planned) return planned.error();
+    } else
+        plan_other_maps();
+    if (environment_is_its_maps && !scene.background) read += source_bytes(scene.background_size);
+    if (lit || scene.background) add_draw();
+    return Done{};
+}
+
+Result<Done> ScenePlan::State::plan_maps(const Exponents& exponents) {
+    const auto taps = taps_of(scene.method);
+    PrefilterRequest request{.lambert = shading.diffuse,
+                             .quality = scene.quality,
+                             .levels_up_to = scene.levels_up_to,
+                             .source_size = scene.source_size};
+    if (has_harmonics(scene.method)) {
+        request.lambert = false;
+        if (shading.diffuse) add_irradiance();
+        if (!shading.specular) return Done{};
+    }
+    if (taps && !shading.specular) shading.method = SphereMethod::split_sum; // no horizon to cut
+    if (taps && shading.specular) {
+        request.ladder = ladder_for(*taps, exponents.least, exponents.most);
+        shading.suns = scene.suns.value_or(true);
+        if (const auto added = add_prefilter(request); !added) return added.error();
+        add_tables();
+        return Done{};
+    }
+    if (exponents.vary)
+        return Error{VK_ERROR_VALIDATION_FAILED_EXT,
+                     "exponents that vary are for one_tap, two_tap and hybrid"};
+    request.exponents = exponents.all;
+    return add_prefilter(request);
+}
+
+Result<Done> ScenePlan::State::add_prefilter(PrefilterRequest request) {
+    auto plan = PrefilterPlan::make(request);
+    if (!plan) return plan.error();
+    for (std::uint32_t i = 0; i < plan->pass_count(); ++i) {
+        const PrefilterPass pass = plan->pass(i);
+        passes.push_back(
+            {pass.name, 1, pass.invocations, pass.bytes_read, pass.bytes_written, pass.work});
+    }
+    const auto texels = [](std::uint64_t size) { return FACES * size * size; };
+    for (const PrefilteredMap& map : plan->maps()) {
+        names.push_back("map n=" + exponent_text(map.exponent));
+        keep({names.back().c_str(), request.map_format, map.size, map.size, FACES, 1,
+              texels(map.size) * HALF_BYTES, MAP_USAGE});
+    }
+    if (!request.exponents.empty()) shading.specular_filter = plan->maps().front().filter;
+    if (const Ladder ladder = plan->ladder(); ladder.rungs) {
+        names.push_back("ladder from n=" + exponent_text(ladder.lowest));
+        keep({names.back().c_str(), request.map_format, plan->ladder_size(), plan->ladder_size(),
+              FACES * ladder.rungs, 1, texels(plan->ladder_size()) * ladder.rungs * HALF_BYTES,
+              MAP_USAGE});
+    }
+    VkBufferUsageFlags state_usage =
+        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
+    if (request.levels_up_to > 0) state_usage |= VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    keep({.name = "prefilter state", .bytes = plan->state_size(), .usage = state_usage});
+    resources.push_back(
+        {.name = "prefilter levels",
+         .bytes = plan->scratch_size(),
+         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
+         .kept = request.levels_up_to > 0});
+    prefilter = std::move(*plan);
+    return Done{};
+}
+
+void ScenePlan::State::add_tables() {
+    constexpr std::uint64_t BYTES = ClippedTables::BUFFER_BYTES;
+    passes.push_back({"clipped tables", 0, 0, BYTES, 2 * BYTES, double(BYTES)});
+    keep({"clipped tables", ClippedTables::FORMAT, ClippedTables::WIDTH, ClippedTables::HEIGHT,
+          ClippedTables::LAYERS, 1, BYTES,
+          VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    resources.push_back(
+        {.name = "clipped tables upload",
+         .bytes = BYTES,
+         .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+         .kept = false});
+}
+
+/// Of methods that read no map of the prefilter.
+void ScenePlan::State::plan_other_maps() {
+    const auto add_reference = [this](const char* name) {
+        keep({.name = name,
+              .bytes = FLOAT_BYTES * scene.width * scene.height,
+              .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+    };
+    if (scene.method == SphereMethod::reference) {
+        if (shading.diffuse) add_reference("diffuse reference");
+        if (shading.specular) add_reference("specular reference");
+    }
+    if (scene.method == SphereMethod::kurt2019) add_mips(KURT2019_FACE);
+    if (scene.method == SphereMethod::importance) add_mips(1);
+}
+
+void ScenePlan::State::add_mips(std::uint32_t last_face) {
+    const std::uint32_t levels =
+        std::uint32_t(std::bit_width(std::max(scene.source_size / last_face, 1u)));
+    std::uint64_t texels = 0;
+    for (std::uint32_t level = 0; level < levels; ++level) {
+        const std::uint64_t size = scene.source_size >> level;
+        texels += FACES * size * size;
+    }
+    const std::uint64_t bytes =
+        texels * (scene.mips_format == VK_FORMAT_R32G32B32A32_SFLOAT ? FLOAT_BYTES : HALF_BYTES);
+    passes.push_back(
+        {"mips", levels, texels, source_bytes(scene.source_size) + bytes, bytes, double(texels)});
+    keep({"mips", scene.mips_format, scene.source_size, scene.source_size, FACES, levels, bytes,
+          MAP_USAGE});
+}
+
+void ScenePlan::State::add_irradiance() {
+    const std::uint32_t size = scene.background_size;
+    const CubeMap source{.size = size};
+    const std::uint64_t scratch = Irradiance::scratch_size(source);
+    const std::uint64_t kept = Irradiance::COEFFICIENTS_SIZE;
+    passes.push_back({"irradiance", 3, std::uint64_t(FACES) * size, source_bytes(size) + scratch,
+                      scratch + kept, double(size) * size});
+    keep({.name = "irradiance",
+          .bytes = kept,
+          .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT});
+    resources.push_back({.name = "irradiance sums",
+                         .bytes = scratch,
+                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                         .kept = false});
+}
+
+void ScenePlan::State::add_draw() {
+    const std::uint64_t pixels = std::uint64_t(scene.width) * scene.height;
+    passes.push_back({"sphere", 1, pixels, read, pixels * FLOAT_BYTES, double(pixels)});
+    resources.push_back({"picture", VK_FORMAT_R32G32B32A32_SFLOAT, scene.width, scene.height, 1, 1,
+                         pixels * FLOAT_BYTES, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT});
+}
+
+Result<ScenePlan> ScenePlan::make(const Scene& scene) {
+    return vk::guarded([&]() -> Result<ScenePlan> {
+        if (scene.method == SphereMethod::plain_split_sum)
+            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
+                         "plain_split_sum shows maps of its caller's"};
+        auto state = std::make_shared<State>();
+        if (const auto filled = state->fill(scene); !filled) return filled.error();
+        return ScenePlan(std::move(state));
+    });
+}
+
+ScenePlan::ScenePlan(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
+
+bool ScenePlan::draws() const noexcept {
+    return !state_->passes.empty();
+}
+const SphereShading& ScenePlan::shading() const noexcept {
+    return state_->shading;
+}
+const PrefilterPlan* ScenePlan::prefilter() const noexcept {
+    return state_->prefilter ? &*state_->prefilter : nullptr;
+}
+bool ScenePlan::environment_is_its_maps() const noexcept {
+    return state_->environment_is_its_maps;
+}
+bool ScenePlan::clipped_tables() const noexcept {
+    return state_->prefilter && state_->prefilter->ladder().rungs > 0;
+}
+std::span<const ScenePass> ScenePlan::passes() const noexcept {
+    return state_->passes;
+}
+std::span<const SceneResource> ScenePlan::resources() const noexcept {
+    return state_->resources;
+}
+
+} // namespace lobelia
