@@ -259,10 +259,9 @@ void ScenePlan::State::add_draw() {
 }
 
 Result<ScenePlan> ScenePlan::make(const Scene& scene) {
-    return vk::guarded([&]() -> Result<ScenePlan> {
+    return vk::guarded<ScenePlan>([&]() -> Result<ScenePlan> {
         if (scene.method == SphereMethod::plain_split_sum)
-            return Error{VK_ERROR_VALIDATION_FAILED_EXT,
-                         "plain_split_sum shows maps of its caller's"};
+            vk::refuse("plain_split_sum shows maps of its caller's");
         auto state = std::make_shared<State>();
         if (const auto filled = state->fill(scene); !filled) return filled.error();
         return ScenePlan(std::move(state));

@@ -36,7 +36,8 @@ Outcome<Stage> set_up(Gpu& gpu, const RenderSettings& settings, const Image& fir
     if (maps->resized)
         return Failure{"the light's cube maps have faces of " + std::to_string(first.width) +
                        " texels, give a power of two from 16 to 1024"};
-    auto tables = make_clipped_tables(gpu);
+    PassReport upload; // is no part of a frame
+    auto tables = make_clipped_tables(gpu, upload);
     if (!tables) return tables.error();
     auto target = ColourTarget::create(gpu, view.width, view.height);
     if (!target) return target.error();
