@@ -1,7 +1,7 @@
 # Compiles GLSL to SPIR-V for Vulkan 1.1, checks it, and puts <name>.inc (a C initializer list of words)
 # on the private include path of <target>. Rebuilds when any included .glsl changes.
-find_program(GLSLANG glslangValidator REQUIRED)
-find_program(SPIRV_VAL spirv-val REQUIRED)
+find_program(LOBELIA_GLSLANG glslangValidator REQUIRED)
+find_program(LOBELIA_SPIRV_VAL spirv-val REQUIRED)
 
 # lobelia_embed_shader(<target> <shader> <name> [<macro>...]): with the macros defined.
 function(lobelia_embed_shader target shader name)
@@ -10,11 +10,11 @@ function(lobelia_embed_shader target shader name)
     set(out ${out_dir}/${name})
     file(MAKE_DIRECTORY ${out_dir})
     list(TRANSFORM ARGN PREPEND -D)
-    set(compile ${GLSLANG} --quiet --target-env vulkan1.1 -I${PROJECT_SOURCE_DIR}/shaders ${ARGN})
+    set(compile ${LOBELIA_GLSLANG} --quiet --target-env vulkan1.1 -I${PROJECT_SOURCE_DIR}/shaders ${ARGN})
     add_custom_command(
         OUTPUT ${out}.inc
         COMMAND ${compile} ${shader} -o ${out}.spv
-        COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${out}.spv
+        COMMAND ${LOBELIA_SPIRV_VAL} --target-env vulkan1.1 ${out}.spv
         COMMAND ${compile} --depfile ${out}.d -x ${shader} -o ${out}.inc
         DEPENDS ${shader} DEPFILE ${out}.d VERBATIM)
     target_sources(${target} PRIVATE ${out}.inc)

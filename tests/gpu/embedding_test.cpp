@@ -1,5 +1,6 @@
 #include "examples/embedding.h"
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -68,21 +69,60 @@ TEST_F(EmbeddingTest, LightsASceneFromTheEnginesOwnObjects) {
     }
 }
 
+std::string text_of(const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(std::string(LOBELIA_SOURCE_FOLDER "/") + path).rdbuf();
+    return text.str();
+}
+
+/// What stands between the two lines `// [name]` of a file, without what all its lines begin with.
+std::string section_of(const std::string& path, const std::string& name) {
+    std::vector<std::string> lines;
+    std::size_t margin = std::string::npos;
+    std::istringstream text(text_of(path));
+    bool inside = false;
+    for (std::string line; std::getline(text, line);) {
+        const std::size_t begin = line.find_first_not_of(' ');
+        if (begin != std::string::npos && line.substr(begin) == "// [" + name + "]") {
+            inside = !inside;
+        } else if (inside) {
+            margin = std::min(margin, begin);
+            lines.push_back(line);
+        }
+    }
+    std::string section;
+    for (const std::string& line : lines)
+        section += line.substr(std::min(margin, line.size())) + "\n";
+    return section;
+}
+
 TEST(Readme, ShowsTheSampleThatIsCompiledHere) {
-    const auto text_of = [](const std::string& path) {
-        std::ostringstream text;
-        text << std::ifstream(std::string(LOBELIA_SOURCE_FOLDER "/") + path).rdbuf();
-        return text.str();
-    };
-    const std::string source = text_of("tests/examples/embedding.h");
-    const std::string marker = "// [sample]\n";
-    const std::size_t begin = source.find(marker) + marker.size();
-    const std::string sample = source.substr(begin, source.find(marker, begin) - begin);
     std::string indented;
-    std::istringstream lines(sample);
+    std::istringstream lines(section_of("tests/examples/embedding.h", "sample"));
     for (std::string line; std::getline(lines, line);)
         indented += (line.empty() ? "" : "    " + line) + "\n";
+    ASSERT_GT(indented.size(), 1000u);
     EXPECT_NE(text_of("README.md").find(indented), std::string::npos) << indented;
+}
+
+TEST(EmbeddingGuide, ShowsWhatTheExamplesCompile) {
+    std::istringstream guide(text_of("docs/embedding.md"));
+    std::string before, line;
+    int listings = 0;
+    for (; std::getline(guide, line); before = line) {
+        if (!line.starts_with("```") || line == "```") continue;
+        // <!-- FILE [SECTION] -->
+        std::istringstream origin(before);
+        std::string comment, file, section;
+        ASSERT_TRUE(origin >> comment >> file >> section && section.size() > 2) << before;
+        std::string listing;
+        while (std::getline(guide, line) && line != "```")
+            listing += line + "
+                              ";
+                       EXPECT_EQ(listing, section_of(file, section.substr(1, section.size() - 2)));
+        ++listings;
+    }
+    EXPECT_GE(listings, 7);
 }
 
 } // namespace

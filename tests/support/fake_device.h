@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <tuple>
+
+#include <lobelia/device.h>
+
+#include "vk/functions.h"
+
+namespace lobelia::test {
+
+/// A device whose functions do nothing but count: what the library itself does shows, without a
+/// driver.
+struct FakeDevice {
+    static inline std::uint64_t made = 0; // objects so far
+    static inline std::uint64_t destroyed = 0;
+    static inline std::uint64_t commands = 0; // recorded
+
+    /// One device for a whole program, since its functions are no object's.
+    static Device lend() { return {handle<VkDevice>(), &find}; }
+
+    template <class Handle>
+    static Handle handle() { // a new one
+        static std::uint64_t last = 0;
+        return (Handle)++last; // a pointer or a number
+    }
+
+private:
+    template <class... Arguments>
+    using First = std::tuple_element_t<0, std::tuple<Arguments...>>;
+
+    template <class Result, class... Arguments>
+    static auto fake(Result (*)(Arguments...)) -> Result (*)(Arguments...) {
+        return [](Arguments... arguments) -> Result {
+            if constexpr (std::is_same_v<Result, VkResult>) { // the last argument is what is made
+                const auto target = std::get<sizeof...(Arguments) - 1>(std::tuple(arguments...));
+                *target = handle<std::remove_pointer_t<decltype(target)>>();
+                ++made;
+                return VK_SUCCESS;
+            } else { // a command, or the end of an object
+                ((void)arguments, ...);
+                ++(std::is_same_v<First<Arguments...>, VkCommandBuffer> ? commands : destroyed);
+            }
+        };
+    }
+
+    static VKAPI_ATTR VkResult VKAPI_CALL allocate_sets(VkDevice,
+                                                        const VkDescriptorSetAllocateInfo* info,
+                                                        VkDescriptorSet* sets) {
+        for (std::uint32_t i = 0; i < info->descriptorSetCount; ++i)
+            sets[i] = handle<VkDescriptorSet>();
+        return VK_SUCCESS; // they go with their pool
+    }
+
+    static VKAPI_ATTR void VKAPI_CALL update_sets(VkDevice, std::uint32_t,
+                                                  const VkWriteDescriptorSet*, std::uint32_t,
+                                                  const VkCopyDescriptorSet*) {}
+
+    static VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL find(VkDevice, const char* name) {
+        const std::string wanted = name;
+        if (wanted == "vkAllocateDescriptorSets")
+            return reinterpret_cast<PFN_vkVoidFunction>(&allocate_sets);
+        if (wanted == "vkUpdateDescriptorSets")
+            return reinterpret_cast<PFN_vkVoidFunction>(&update_sets);
+#define X(function)                                                                                \
+    if (wanted == #function)                                                                       \
+        return reinterpret_cast<PFN_vkVoidFunction>(fake(PFN_##function(nullptr)));
+        LOBELIA_DEVICE_FUNCTIONS(X)
+#undef X
+        return nullptr;
+    }
+};
+
+} // namespace lobelia::test
