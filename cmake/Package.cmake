@@ -39,5 +39,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # what the program links
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "mesa-vulkan-drivers | vulkan-icd")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox) # lobelia measure draws with it
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libvulkan-dev, libopenexr-dev, libpng-dev") # to link it
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, glslang-tools, libvulkan-dev, libopenexr-dev, libpng-dev") # to link it
 include(CPack)

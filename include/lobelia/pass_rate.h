@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <span>
 
+#include <lobelia/export.h>
+
 namespace lobelia {
 
 /// How fast a device runs passes of one name: learned from passes that were timed on it.
@@ -12,7 +14,7 @@ struct PassRate {
 };
 
 /// The time of a pass of this name and `work`; 0 where its rate is not there.
-double predicted_milliseconds(std::span<const PassRate> rates, const char* name,
-                              double work) noexcept;
+LOBELIA_API double predicted_milliseconds(std::span<const PassRate> rates, const char* name,
+                                          double work) noexcept;
 
 } // namespace lobelia

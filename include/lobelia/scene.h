@@ -61,7 +61,7 @@ struct SceneResource {
 };
 
 /// What a scene calls for, and nothing else. Depends on the scene alone.
-class ScenePlan {
+class LOBELIA_API ScenePlan {
 public:
     /// Refuses what PrefilterPlan refuses, exponents in the wrong order, several of them where the
     /// method reads no ladder, and methods that make no maps of their own.
@@ -102,6 +102,6 @@ struct SceneEdit {
     bool shading = false; // another pipeline and other descriptors
 };
 /// From what was made for `before`, in the light of the same texels.
-SceneEdit edit_between(const ScenePlan& before, const ScenePlan& after) noexcept;
+LOBELIA_API SceneEdit edit_between(const ScenePlan& before, const ScenePlan& after) noexcept;
 
 } // namespace lobelia

@@ -95,7 +95,7 @@ void draw(const Engine& engine, bool knot, const char* path, std::uint32_t width
                                            .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT});
     const Uploaded mesh = Uploaded::create(engine, knot ? make_knot(0.22f) : make_sphere());
     const Texture relief = Texture::create(engine, make_relief());
-    const float half_height = knot ? 0.36f : 0.26794919f; // the tangent of 15 degrees
+    const float half_height = knot ? 0.4f : 0.26794919f; // the tangent of 15 degrees
     const Camera camera = Camera::create(knot ? Vector{1.0f, 0.5f, 3.4f} : Vector{0, 0, 4},
                                          half_height * float(width) / float(height), half_height);
 

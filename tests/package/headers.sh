@@ -16,4 +16,8 @@ if grep -nE 'std::(vector|string|map|set|deque|list|function|optional|unordered_
     echo "these stand in headers of the core"
     failed=1
 fi
+if grep -nE '^class [A-Za-z]+ ' lobelia/*.h | grep -v LOBELIA_API; then
+    echo "these are not in the shared library: they lack LOBELIA_API"
+    failed=1
+fi
 exit $failed
