@@ -4,6 +4,18 @@ namespace lobelia::cli {
 
 using host::Outcome;
 
+namespace {
+
+// What is behind the panel until there is a picture.
+void clear(VkCommandBuffer commands, VkExtent2D extent) {
+    const VkClearAttachment grey{.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT,
+                                 .clearValue = {.color = {.float32 = {0.05f, 0.05f, 0.05f, 1.0f}}}};
+    const VkClearRect everywhere{.rect = {{0, 0}, extent}, .layerCount = 1};
+    vkCmdClearAttachments(commands, 1, &grey, 1, &everywhere);
+}
+
+} // namespace
+
 Outcome<std::unique_ptr<Renderer>> Renderer::create(const GpuChoice& choice, const Window& window) {
     std::unique_ptr<Renderer> renderer(new Renderer);
     auto gpu = start_gpu(choice, window.presentation());
@@ -47,6 +59,8 @@ Outcome<Done> Renderer::show(const ViewState& state) {
             DisplayParams params = stage_->display_params(state, extent);
             params.encode = !swapchain_->encodes_srgb();
             display_->record(commands, params, extent);
+        } else {
+            clear(commands, extent);
         }
         gui_->record(commands);
     });
