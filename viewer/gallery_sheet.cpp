@@ -10,8 +10,7 @@ using host::Outcome;
 
 namespace {
 
-constexpr const char* CELL = "144x144>"; // larger pictures are made smaller
-constexpr const char* ENLARGED = "144x144";
+constexpr std::uint32_t SHOWN = 128; // pixels of a picture in a sheet
 
 // A per cent sign begins an escape of ImageMagick's, in labels as in file names.
 std::string escaped(const std::string& text) {
@@ -39,10 +38,10 @@ Outcome<Done> write_sheet(const std::string& folder, const GalleryFigure& figure
         if (const auto written = host::write_png(path, cell.picture, cell.exposure); !written)
             return written.error();
         // Maps of few texels are shown as they are.
-        const bool small = cell.picture.width < 128;
-        words.insert(words.end(), {"(", escaped(path), small ? "-sample" : "-resize",
-                                   small ? ENLARGED : CELL, ")"});
-        words.insert(words.end() - 5, {"-label", escaped(cell.caption)});
+        const bool small = cell.picture.width < SHOWN;
+        words.insert(words.end(), {"-label", escaped(cell.caption), "(", escaped(path), "-filter",
+                                   small ? "point" : "Lanczos", "-resize",
+                                   std::to_string(SHOWN) + "x" + std::to_string(SHOWN), ")"});
     }
     words.insert(words.end(), {"-tile", std::to_string(figure.columns) + "x", "-geometry", "+8+6",
                                "-title", escaped(figure.title), "png:-"});
