@@ -77,6 +77,9 @@ Outcome<Done> ExrCore::open() {
     if (code != EXR_ERR_SUCCESS && header_too_long_)
         return Failure{"has headers of more than " + std::to_string(limits_.attribute_bytes) +
                        " bytes, remove attributes that are not needed"};
+    if (unknown_compression_)
+        return Failure{"is compressed by a method that this OpenEXR does not know" + reason() +
+                       ", export it with ZIP"};
     if (code == EXR_ERR_OUT_OF_MEMORY)
         return Failure{"has headers of unreasonable cost" + reason() + ", export it again"};
     if (code != EXR_ERR_SUCCESS)
@@ -107,8 +110,11 @@ std::int64_t ExrCore::size(exr_const_context_t, void* self) {
 
 void ExrCore::remember(exr_const_context_t context, exr_result_t, const char* message) {
     void* self = nullptr;
-    if (context && exr_get_user_data(context, &self) == EXR_ERR_SUCCESS && self)
-        static_cast<ExrCore*>(self)->message_ = message;
+    if (!context || exr_get_user_data(context, &self) != EXR_ERR_SUCCESS || !self) return;
+    auto& core = *static_cast<ExrCore*>(self);
+    core.message_ = message;
+    // Core 3.1 says so, takes the method for ZIP and goes on.
+    if (core.message_.find("'compression'") != std::string::npos) core.unknown_compression_ = true;
 }
 
 } // namespace lobelia::host

@@ -53,6 +53,7 @@ private:
     ExrBudget* outer_budget_;
     std::uint64_t readable_;
     bool header_too_long_ = false;
+    bool unknown_compression_ = false;
     std::string message_;
     exr_context_t context_ = nullptr;
 };

@@ -26,6 +26,7 @@ const float BRIGHT = 64.0; // times the clamped mean
 const uint FINE_SIZE = 64u;      // of a source whose mean is taken texel by texel
 const uint MOST_TILES = 512u; // with bright texels
 const float LARGEST = 3.4e38;
+const float LEAST = 1e-36; // of a sun's luminance: below, sums of it are denormal and may be 0
 
 shared float team_values[TEAM];
 shared uint team_tiles[TEAM];
@@ -228,9 +229,11 @@ void gather(uint sun, float threshold, uint count) {
     moment = team_total(moment);
     energy = team_total(energy);
     if (lane == 0u) {
-        vec3 shift = moment.xyz / moment.w;
+        // Light that only just counts as bright may be too little for its moments.
+        vec3 shift = moment.w > 0.0 ? moment.xyz / moment.w : vec3(0.0);
         // The mean chord about the centre is that about the seed, less the shift's.
-        float extent = max(energy.w / moment.w - 0.5 * dot(shift, shift), 0.0);
+        float chord = moment.w > 0.0 ? energy.w / moment.w : 0.0;
+        float extent = max(chord - 0.5 * dot(shift, shift), 0.0);
         state.suns[sun] = Sun(vec4(normalize(seed.xyz + shift), extent), vec4(energy.rgb, 0.0));
     }
     barrier();
@@ -241,7 +244,7 @@ void main() {
     tile_count = 6u * (size / 8u) * (size / 8u);
 
     float mean = clamped_mean();
-    float threshold = min(BRIGHT * mean, LARGEST);
+    float threshold = clamp(BRIGHT * mean, LEAST, LARGEST);
     uint count = list_bright_tiles(threshold);
     uint suns = 0u;
     for (; suns < MOST_SUNS; ++suns) {

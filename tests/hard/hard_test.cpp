@@ -8,8 +8,8 @@
 #include "bench.h"
 #include "page.h"
 
-// Runs the catalogue. With --page=FILE a run of all rows writes docs/hard-cases.md; with --counts
-// it prints the counts.
+// Runs the catalogue. With --page=FILE a run writes docs/hard-cases.md; with --counts it prints the
+// counts.
 namespace lobelia::hard {
 
 void PrintTo(const Row& row, std::ostream* out) {
@@ -112,7 +112,11 @@ int main(int argc, char** argv) {
         }
     }
     const int failed = RUN_ALL_TESTS();
-    if (!page.empty()) std::ofstream(page) << lobelia::hard::page(lobelia::hard::run);
+    if (!page.empty()) {
+        const std::string text =
+            lobelia::hard::page(lobelia::hard::run, lobelia::hard::text_of(page));
+        std::ofstream(page) << text;
+    }
     if (counts) std::cout << lobelia::hard::counts(lobelia::hard::run);
     return failed;
 }

@@ -28,8 +28,18 @@ std::string number(double value) {
     return out.str();
 }
 
-std::string measured(const Row& row, const Run& run) {
+// The end of the row's line on the page `before`, or nothing.
+std::string kept(const Row& row, const std::string& before) {
+    const std::string line = "\n" + promise_line(row);
+    const std::size_t at = before.find(line);
+    if (at == std::string::npos) return "";
+    const std::size_t from = at + line.size();
+    return before.substr(from, before.find(" |\n", from) - from);
+}
+
+std::string measured(const Row& row, const Run& run, const std::string& before) {
     const auto found = run.find(row.id);
+    if (row.check && found == run.end()) return kept(row, before);
     if (row.absent) return std::string(" | does not apply: ") + row.absent;
     std::string text = found == run.end() ? " | " : std::to_string(found->second.points()) + " | ";
     if (found != run.end()) {
@@ -51,12 +61,13 @@ std::string promise_line(const Row& row) {
     return std::string("| ") + row.id + " | " + row.input + " | " + row.promise + " | ";
 }
 
-std::string page(const Run& run) {
+std::string page(const Run& run, const std::string& before) {
     std::string text = HEAD;
     for (const Kind& kind : catalogue()) {
         text += std::string("\n## ") + kind.title +
                 "\n\n| | case | promise | points | worst |\n| --- | --- | --- | --- | --- |\n";
-        for (const Row& row : kind.rows) text += promise_line(row) + measured(row, run) + " |\n";
+        for (const Row& row : kind.rows)
+            text += promise_line(row) + measured(row, run, before) + " |\n";
     }
     return text;
 }

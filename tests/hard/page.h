@@ -13,8 +13,9 @@ using Run = std::map<std::string, Findings>;
 /// The beginning of a row's line on the page: all but what was measured.
 std::string promise_line(const Row& row);
 
-/// docs/hard-cases.md after a run of all rows.
-std::string page(const Run& run);
+/// docs/hard-cases.md after a run: rows that were not run keep what `before`, the page as it was,
+/// says of them.
+std::string page(const Run& run, const std::string& before);
 
 /// The counts of a run, one a line: a name, a colon, a number.
 std::string counts(const Run& run);
