@@ -71,6 +71,10 @@ void ClippedTables::record(VkCommandBuffer commands, VkBuffer buffer,
                            VkImage image) const noexcept {
     const vk::Context& context = state_->context;
     const vk::Label label(context, commands, "lobelia clipped tables");
+    // What was recorded before may still read or write the buffer.
+    vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                       VK_ACCESS_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                       VK_ACCESS_TRANSFER_WRITE_BIT);
     context.call.vkCmdUpdateBuffer(commands, buffer, 0, BUFFER_BYTES, state_->halves.data());
     vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
                        VK_ACCESS_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT,

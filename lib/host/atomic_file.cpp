@@ -12,15 +12,16 @@
 #include <sys/stat.h>
 
 #include "host/descriptor.h"
+#include "host/guard.h"
 #include "host/message.h"
 #include "host/quiet_signals.h"
+#include "host/temporary_files.h"
 
 namespace lobelia::host {
 
 namespace {
 
-constexpr int MOST_LINKS = 40;        // in a chain, as in Linux
-constexpr int MOST_ATTEMPTS = 10'000; // at a name that nothing has yet
+constexpr int MOST_LINKS = 40; // in a chain, as in Linux
 constexpr std::size_t CHECKED_AT_ONCE = std::size_t(1) << 20;
 
 Failure cannot(const char* step) {
@@ -50,7 +51,8 @@ bool write_all(const Descriptor& file, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t count = ::write(file.get(), bytes.data(), bytes.size());
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return false;
+        if (count == 0) errno = EIO; // no progress, and no reason given
+        if (count <= 0) return false;
         bytes = bytes.subspan(std::size_t(count));
     }
     return true;
@@ -73,42 +75,11 @@ bool holds(const Descriptor& file, std::span<const std::byte> bytes) {
     }
 }
 
-// A file with a name of its own beside `path`, gone again unless it takes that name.
-class TemporaryFile {
-public:
-    explicit TemporaryFile(const std::string& path) {
-        const std::string stem = folder_of(path) + ".lobelia-" + std::to_string(::getpid()) + "-";
-        for (int i = 0; i < MOST_ATTEMPTS; ++i) {
-            name_ = stem + std::to_string(i) + ".tmp";
-            file_ = Descriptor(::open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-            exists_ = bool(file_);
-            if (exists_ || errno != EEXIST) return;
-        }
-    }
-    ~TemporaryFile() {
-        if (exists_) ::unlink(name_.c_str());
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-    bool exists() const { return exists_; }
-    const Descriptor& file() const { return file_; }
-    bool close() { return file_.close(); }
-    bool take_name(const std::string& path) {
-        const bool taken = std::rename(name_.c_str(), path.c_str()) == 0;
-        exists_ = exists_ && !taken;
-        return taken;
-    }
-
-private:
-    std::string name_;
-    Descriptor file_;
-    bool exists_ = false;
-};
-
 Outcome<Done> write_beside(const std::string& path, const struct stat* replaced,
                            std::span<const std::byte> bytes) {
-    TemporaryFile temporary(path);
+    const std::string folder = folder_of(path);
+    sweep_temporary_files(folder);
+    TemporaryFile temporary(folder);
     if (!temporary.exists()) return cannot("created");
     // Only kept where the file system has permissions at all; the file is as good without.
     if (replaced) std::ignore = ::fchmod(temporary.file().get(), replaced->st_mode & 0777);
@@ -118,7 +89,6 @@ Outcome<Done> write_beside(const std::string& path, const struct stat* replaced,
     if (!temporary.close()) return cannot("written");
     if (!temporary.take_name(path)) return cannot("replaced");
     // The content is safe; this only hastens the name's way to the disk.
-    const std::string folder = folder_of(path);
     const Descriptor opened(
         ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (opened) std::ignore = ::fsync(opened.get());
@@ -145,10 +115,12 @@ Outcome<Done> replace(const std::string& given, std::span<const std::byte> bytes
 } // namespace
 
 Outcome<Done> replace_file(const std::string& path, std::span<const std::byte> bytes) {
-    const QuietSignals quiet;
-    const Outcome<Done> replaced = replace(path, bytes);
-    if (!replaced) return about(path, replaced.error());
-    return Done{};
+    return guarded([&]() -> Outcome<Done> {
+        const QuietSignals quiet;
+        const Outcome<Done> replaced = replace(path, bytes);
+        if (!replaced) return about(path, replaced.error());
+        return Done{};
+    });
 }
 
 } // namespace lobelia::host

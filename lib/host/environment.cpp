@@ -7,6 +7,7 @@
 
 #include "host/averages.h"
 #include "host/environment_plan.h"
+#include "host/guard.h"
 
 namespace lobelia::host {
 
@@ -47,6 +48,18 @@ Outcome<GpuEnvironment> upload_cube(Gpu& gpu, const Image& image) {
                           plan_environment(shape, 0, Quality::normal).report, shape.constant};
 }
 
+Outcome<GpuEnvironment> upload_panorama(Gpu& gpu, const Image& image, std::uint32_t face,
+                                        Quality quality) {
+    auto panorama =
+        gpu.create_image({.width = image.width, .height = image.height, .usage = USAGE});
+    if (!panorama) return panorama.error();
+    if (const auto done = gpu.upload(image, *panorama); !done) return done.error();
+    const EnvironmentShape shape = shape_of(image);
+    auto environment = resample(gpu, std::move(*panorama), plan_environment(shape, face, quality));
+    if (environment) environment->constant = shape.constant;
+    return environment;
+}
+
 bool is_complete(const Image& image) {
     const bool shaped = image.layout == Layout::cube
                             ? image.layers == 6 && image.width == image.height
@@ -67,18 +80,15 @@ Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::ui
                                            Quality quality) {
     if (!is_complete(image))
         return Failure{"an environment is one panorama or six square faces of R G B A texels"};
-    if (image.layout == Layout::cube) return upload_cube(gpu, image);
-    auto panorama =
-        gpu.create_image({.width = image.width, .height = image.height, .usage = USAGE});
-    if (!panorama) return panorama.error();
-    if (const auto done = gpu.upload(image, *panorama); !done) return done.error();
-    const EnvironmentShape shape = shape_of(image);
-    auto environment = resample(gpu, std::move(*panorama), plan_environment(shape, face, quality));
-    if (environment) environment->constant = shape.constant;
-    return environment;
+    return guarded([&] {
+        return image.layout == Layout::cube ? upload_cube(gpu, image)
+                                            : upload_panorama(gpu, image, face, quality);
+    });
 }
 
-Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face, Quality quality) {
+namespace {
+
+Outcome<GpuEnvironment> paint_environment(Gpu& gpu, std::uint32_t face, Quality quality) {
     auto panorama =
         gpu.create_image({.width = BUILTIN_WIDTH, .height = BUILTIN_WIDTH / 2, .usage = USAGE});
     if (!panorama) return panorama.error();
@@ -93,6 +103,12 @@ Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face, Q
                                [&](VkCommandBuffer commands) { job->record(commands); });
     if (!done) return done.error();
     return resample(gpu, std::move(*panorama), std::move(plan));
+}
+
+} // namespace
+
+Outcome<GpuEnvironment> make_builtin_environment(Gpu& gpu, std::uint32_t face, Quality quality) {
+    return guarded([&] { return paint_environment(gpu, face, quality); });
 }
 
 } // namespace lobelia::host

@@ -15,6 +15,7 @@
 
 #include "host/cube_layout.h"
 #include "host/exr_stream.h"
+#include "host/guard.h"
 #include "host/image_shape.h"
 #include "host/message.h"
 
@@ -119,13 +120,15 @@ std::vector<std::byte> encode(std::span<const Part> parts, Content content,
 
 Outcome<Done> write_exr(const std::string& path, std::span<const Part> parts, Content content,
                         const Metadata& metadata) {
-    const Outcome<Done> checked = check(parts, content, metadata);
-    if (!checked) return about(path, checked.error());
-    try {
-        return replace_file(path, encode(parts, content, metadata));
-    } catch (const std::exception& error) {
-        return about(path, {"cannot be encoded (" + printable(error.what()) + ")"});
-    }
+    return guarded([&]() -> Outcome<Done> {
+        const Outcome<Done> checked = check(parts, content, metadata);
+        if (!checked) return about(path, checked.error());
+        try {
+            return replace_file(path, encode(parts, content, metadata));
+        } catch (const std::exception& error) {
+            return about(path, {"cannot be encoded (" + printable(error.what()) + ")"});
+        }
+    });
 }
 
 } // namespace lobelia::host

@@ -5,11 +5,21 @@
 
 #include "host/gpu_instance.h"
 #include "host/gpu_memory.h"
+#include "host/guard.h"
 #include "host/timestamps.h"
 
 namespace lobelia::host {
 
 namespace {
+
+// Waiting for a fence makes nothing visible to the host.
+void record_host_read(const DeviceFunctions& call, VkCommandBuffer commands) {
+    const VkMemoryBarrier barrier{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                                  .srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT,
+                                  .dstAccessMask = VK_ACCESS_HOST_READ_BIT};
+    call.vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
+                              VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+}
 
 constexpr std::uint64_t WAIT_NANOSECONDS = 60'000'000'000; // a dispatch is sized to take 0.1 s
 constexpr const char* SWAPCHAIN = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
@@ -30,6 +40,7 @@ struct Gpu::State {
     HostObject<VkFence, &DeviceFunctions::vkDestroyFence> fence;
     Timestamps timestamps;
     VkCommandBuffer commands = VK_NULL_HANDLE;
+    bool lost = false; // nothing can be submitted any more
 
     ~State() {
         if (!context.device.handle) return;
@@ -44,6 +55,8 @@ struct Gpu::State {
     Outcome<Done> open(const GpuOptions& options);
     Outcome<Done> make_device();
     Outcome<Done> make_command_buffer();
+    Outcome<Done> submit(const std::function<void(VkCommandBuffer)>& record);
+    void settle(VkResult code);
 };
 
 Outcome<Done> Gpu::State::open(const GpuOptions& options) {
@@ -134,18 +147,22 @@ Outcome<Done> Gpu::State::make_command_buffer() {
 }
 
 Outcome<std::vector<GpuDescription>> list_gpus(const GpuOptions& options) {
-    const auto instance = Instance::create(options);
-    if (!instance) return instance.error();
-    std::vector<GpuDescription> all;
-    for (const VkPhysicalDevice device : (*instance)->physical_devices)
-        all.push_back(describe(**instance, device));
-    return all;
+    return guarded([&]() -> Outcome<std::vector<GpuDescription>> {
+        const auto instance = Instance::create(options);
+        if (!instance) return instance.error();
+        std::vector<GpuDescription> all;
+        for (const VkPhysicalDevice device : (*instance)->physical_devices)
+            all.push_back(describe(**instance, device));
+        return all;
+    });
 }
 
 Outcome<Gpu> Gpu::create(const GpuOptions& options) {
-    auto state = std::make_unique<State>();
-    if (const auto opened = state->open(options); !opened) return opened.error();
-    return Gpu(std::move(state));
+    return guarded([&]() -> Outcome<Gpu> {
+        auto state = std::make_unique<State>();
+        if (const auto opened = state->open(options); !opened) return opened.error();
+        return Gpu(std::move(state));
+    });
 }
 
 Gpu::Gpu(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -188,38 +205,55 @@ std::vector<std::string> Gpu::take_messages() {
 }
 
 Outcome<GpuBuffer> Gpu::create_buffer(VkDeviceSize bytes, VkBufferUsageFlags usage, Memory memory) {
-    return make_buffer(state_->context, state_->memory, bytes, usage, memory);
+    return guarded(
+        [&] { return make_buffer(state_->context, state_->memory, bytes, usage, memory); });
 }
 
 Outcome<GpuImage> Gpu::create_image(const GpuImageDescription& description) {
-    return make_image(state_->context, state_->memory, state_->limits, description);
+    return guarded(
+        [&] { return make_image(state_->context, state_->memory, state_->limits, description); });
 }
 
-Outcome<Done> Gpu::submit(const std::function<void(VkCommandBuffer)>& record) {
-    const DeviceFunctions& call = state_->context.call;
-    const VkDevice device = state_->context.device.handle;
-    const VkFence fence = state_->fence.get();
+// What was submitted must have ended before the caller destroys what it uses, even where `code`
+// said that this cannot be known. A lost device has taken the work that it refuses, and ends it.
+void Gpu::State::settle(VkResult code) {
+    const VkResult ended = context.call.vkDeviceWaitIdle(context.device.handle);
+    lost = code == VK_ERROR_DEVICE_LOST || ended != VK_SUCCESS;
+}
 
-    VkResult code = call.vkResetCommandPool(device, state_->pool.get(), 0);
+Outcome<Done> Gpu::State::submit(const std::function<void(VkCommandBuffer)>& record) {
+    const DeviceFunctions& call = context.call;
+    const VkDevice device = context.device.handle;
+    const VkFence submitted = fence.get();
+    if (lost) return Failure{"the Vulkan device is lost, open it again"};
+
+    VkResult code = call.vkResetCommandPool(device, pool.get(), 0);
     if (code != VK_SUCCESS) return failed("reset the command pool", code);
     const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                          .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    code = call.vkBeginCommandBuffer(state_->commands, &begin);
+    code = call.vkBeginCommandBuffer(commands, &begin);
     if (code != VK_SUCCESS) return failed("begin a command buffer", code);
-    record(state_->commands);
-    code = call.vkEndCommandBuffer(state_->commands);
+    record(commands);
+    record_host_read(call, commands);
+    code = call.vkEndCommandBuffer(commands);
     if (code != VK_SUCCESS) return failed("end a command buffer", code);
 
-    code = call.vkResetFences(device, 1, &fence);
+    code = call.vkResetFences(device, 1, &submitted);
     if (code != VK_SUCCESS) return failed("reset a fence", code);
     const VkSubmitInfo info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO,
                             .commandBufferCount = 1,
-                            .pCommandBuffers = &state_->commands};
-    code = call.vkQueueSubmit(state_->queue, 1, &info, fence);
+                            .pCommandBuffers = &commands};
+    code = call.vkQueueSubmit(queue, 1, &info, submitted);
+    if (code == VK_ERROR_DEVICE_LOST) settle(code);
     if (code != VK_SUCCESS) return failed("submit commands", code);
-    code = call.vkWaitForFences(device, 1, &fence, VK_TRUE, WAIT_NANOSECONDS);
-    if (code != VK_SUCCESS) return failed("finish the submitted commands", code);
-    return Done{};
+    code = call.vkWaitForFences(device, 1, &submitted, VK_TRUE, WAIT_NANOSECONDS);
+    if (code == VK_SUCCESS) return Done{};
+    settle(code);
+    return failed("finish the submitted commands", code);
+}
+
+Outcome<Done> Gpu::submit(const std::function<void(VkCommandBuffer)>& record) {
+    return guarded([&] { return state_->submit(record); });
 }
 
 Outcome<std::optional<double>>
@@ -268,13 +302,15 @@ Outcome<Image> Gpu::download(const GpuImage& source, VkImageLayout layout, std::
     });
     if (!copied) return copied.error();
 
-    Image image{shape.cube ? Layout::cube : Layout::latlong, copy.imageExtent.width,
-                copy.imageExtent.height, shape.layers, std::vector<float>(count)};
-    if (half)
-        widen_halves(staging->data(), image.texels);
-    else
-        std::memcpy(image.texels.data(), staging->data(), count * sizeof(float));
-    return image;
+    return guarded([&]() -> Outcome<Image> {
+        Image image{shape.cube ? Layout::cube : Layout::latlong, copy.imageExtent.width,
+                    copy.imageExtent.height, shape.layers, std::vector<float>(count)};
+        if (half)
+            widen_halves(staging->data(), image.texels);
+        else
+            std::memcpy(image.texels.data(), staging->data(), count * sizeof(float));
+        return image;
+    });
 }
 
 void record_layout_change(const Gpu& gpu, VkCommandBuffer commands, const GpuImage& image,

@@ -4,23 +4,26 @@
 
 #include "vk/unique.h"
 
-// The Vulkan functions of lobelia::host beyond those of the core, each once.
+// The Vulkan functions of lobelia::host beyond those of the core, each once. First what destroys
+// what they are loaded for, should another not be there.
 #define LOBELIA_HOST_INSTANCE_FUNCTIONS(X)                                                         \
-    X(vkCreateDevice)                                                                              \
     X(vkDestroyInstance)                                                                           \
-    X(vkEnumerateDeviceExtensionProperties)                                                        \
+    X(vkCreateDevice)                                                                              \
     X(vkEnumeratePhysicalDevices)                                                                  \
     X(vkGetDeviceProcAddr)                                                                         \
+    X(vkGetPhysicalDeviceFormatProperties)                                                         \
     X(vkGetPhysicalDeviceMemoryProperties)                                                         \
     X(vkGetPhysicalDeviceProperties2)                                                              \
     X(vkGetPhysicalDeviceQueueFamilyProperties)
 
 #define LOBELIA_HOST_DEVICE_FUNCTIONS(X)                                                           \
+    X(vkDestroyDevice)                                                                             \
     X(vkAllocateCommandBuffers)                                                                    \
     X(vkAllocateMemory)                                                                            \
     X(vkBeginCommandBuffer)                                                                        \
     X(vkBindBufferMemory)                                                                          \
     X(vkBindImageMemory)                                                                           \
+    X(vkCmdBlitImage)                                                                              \
     X(vkCmdCopyBufferToImage)                                                                      \
     X(vkCmdCopyImageToBuffer)                                                                      \
     X(vkCmdPipelineBarrier)                                                                        \
@@ -34,7 +37,6 @@
     X(vkCreateQueryPool)                                                                           \
     X(vkDestroyBuffer)                                                                             \
     X(vkDestroyCommandPool)                                                                        \
-    X(vkDestroyDevice)                                                                             \
     X(vkDestroyFence)                                                                              \
     X(vkDestroyImage)                                                                              \
     X(vkDestroyImageView)                                                                          \

@@ -126,6 +126,14 @@ Outcome<Done> Instance::start(const GpuOptions& options) {
 Outcome<Done> Instance::listen() {
     const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
         get_instance_proc_addr(handle, "vkCreateDebugUtilsMessengerEXT"));
+    destroy_messenger_ = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+        get_instance_proc_addr(handle, "vkDestroyDebugUtilsMessengerEXT"));
+    if (!create)
+        return Failure{"the Vulkan loader has no vkCreateDebugUtilsMessengerEXT, install a newer "
+                       "one"};
+    if (!destroy_messenger_)
+        return Failure{"the Vulkan loader has no vkDestroyDebugUtilsMessengerEXT, install a newer "
+                       "one"};
     const VkDebugUtilsMessengerCreateInfoEXT info{
         .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
         .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
@@ -135,8 +143,10 @@ Outcome<Done> Instance::listen() {
                        VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT,
         .pfnUserCallback = keep_message,
         .pUserData = &messages};
-    const VkResult code = create(handle, &info, nullptr, &messenger_);
+    VkDebugUtilsMessengerEXT created = VK_NULL_HANDLE;
+    const VkResult code = create(handle, &info, nullptr, &created);
     if (code != VK_SUCCESS) return failed("listen to validation", code);
+    messenger_ = created;
     return Done{};
 }
 
@@ -158,12 +168,8 @@ Instance::~Instance() {
     if (surface)
         reinterpret_cast<PFN_vkDestroySurfaceKHR>(
             get_instance_proc_addr(handle, "vkDestroySurfaceKHR"))(handle, surface, nullptr);
-    if (messenger_)
-        reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(get_instance_proc_addr(
-            handle, "vkDestroyDebugUtilsMessengerEXT"))(handle, messenger_, nullptr);
-    if (handle)
-        reinterpret_cast<PFN_vkDestroyInstance>(
-            get_instance_proc_addr(handle, "vkDestroyInstance"))(handle, nullptr);
+    if (messenger_) destroy_messenger_(handle, messenger_, nullptr);
+    if (handle && call.vkDestroyInstance) call.vkDestroyInstance(handle, nullptr);
 }
 
 GpuDescription describe(const Instance& instance, VkPhysicalDevice device) {

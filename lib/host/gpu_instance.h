@@ -31,6 +31,7 @@ public:
 
 private:
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    PFN_vkDestroyDebugUtilsMessengerEXT destroy_messenger_ = nullptr;
     Outcome<Done> start(const GpuOptions& options);
     Outcome<Done> listen();
     Outcome<Done> make_surface(const Presentation& presentation);

@@ -12,6 +12,7 @@
 #include <Imath/half.h>
 #include <vulkan/vulkan_core.h>
 
+#include "host/guard.h"
 #include "host/image_shape.h"
 #include "host/message.h"
 
@@ -226,15 +227,17 @@ std::vector<std::byte> encode(std::span<const Image> levels, const Metadata& key
 
 Outcome<Done> write_ktx2(const std::string& path, std::span<const Image> levels,
                          const Metadata& metadata) {
-    if (const Outcome<Done> checked = check_levels(levels); !checked)
-        return about(path, checked.error());
-    const Outcome<Metadata> keys = all_keys(metadata);
-    if (!keys) return about(path, keys.error());
-    try {
-        return replace_file(path, encode(levels, *keys));
-    } catch (const std::exception& error) {
-        return about(path, {"cannot be encoded (" + printable(error.what()) + ")"});
-    }
+    return guarded([&]() -> Outcome<Done> {
+        if (const Outcome<Done> checked = check_levels(levels); !checked)
+            return about(path, checked.error());
+        const Outcome<Metadata> keys = all_keys(metadata);
+        if (!keys) return about(path, keys.error());
+        try {
+            return replace_file(path, encode(levels, *keys));
+        } catch (const std::exception& error) {
+            return about(path, {"cannot be encoded (" + printable(error.what()) + ")"});
+        }
+    });
 }
 
 } // namespace lobelia::host

@@ -11,6 +11,7 @@
 #include <png.h>
 #include <zlib.h>
 
+#include "host/guard.h"
 #include "host/message.h"
 #include "host/tone_map.h"
 
@@ -103,17 +104,20 @@ void insert_metadata(std::vector<std::byte>& png, const Metadata& metadata) {
 template <class ByteTexel>
 Outcome<Done> write(const std::string& path, const Image& picture, const ByteTexel& byte_texel,
                     const Metadata& metadata) {
-    const std::uint64_t floats = std::uint64_t(picture.width) * picture.height * std::uint64_t(4);
-    if (floats == 0 || picture.texels.size() < floats)
-        return about(path, {"cannot be written: the image's texels do not fit its size"});
-    try {
-        Outcome<std::vector<std::byte>> png = encode(picture, bytes_of(picture, byte_texel));
-        if (!png) return about(path, png.error());
-        insert_metadata(*png, metadata);
-        return replace_file(path, *png);
-    } catch (const std::exception& error) {
-        return about(path, {"cannot be encoded (" + printable(error.what()) + ")"});
-    }
+    return guarded([&]() -> Outcome<Done> {
+        const std::uint64_t floats =
+            std::uint64_t(picture.width) * picture.height * std::uint64_t(4);
+        if (floats == 0 || picture.texels.size() < floats)
+            return about(path, {"cannot be written: the image's texels do not fit its size"});
+        try {
+            Outcome<std::vector<std::byte>> png = encode(picture, bytes_of(picture, byte_texel));
+            if (!png) return about(path, png.error());
+            insert_metadata(*png, metadata);
+            return replace_file(path, *png);
+        } catch (const std::exception& error) {
+            return about(path, {"cannot be encoded (" + printable(error.what()) + ")"});
+        }
+    });
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "host/averages.h"
 #include "host/directions.h"
+#include "host/guard.h"
 #include "host/importance.h"
 #include "host/map_sizes.h"
 #include "host/maps.h"
@@ -105,10 +106,9 @@ Outcome<Prefiltering> by_chain(Gpu& gpu, const GpuEnvironment& environment,
     return result;
 }
 
-} // namespace
-
-Outcome<Prefiltering> prefilter(Gpu& gpu, const GpuEnvironment& environment,
-                                const PrefilterSettings& settings, const Progress& progress) {
+Outcome<Prefiltering> make_prefiltering(Gpu& gpu, const GpuEnvironment& environment,
+                                        const PrefilterSettings& settings,
+                                        const Progress& progress) {
     if (const auto valid = check_prefilter(settings); !valid) return valid.error();
     switch (settings.method) {
     case PrefilterMethod::chain: break;
@@ -118,6 +118,13 @@ Outcome<Prefiltering> prefilter(Gpu& gpu, const GpuEnvironment& environment,
     case PrefilterMethod::exact: return by_exact(gpu, environment, settings, progress);
     }
     return by_chain(gpu, environment, settings, progress);
+}
+
+} // namespace
+
+Outcome<Prefiltering> prefilter(Gpu& gpu, const GpuEnvironment& environment,
+                                const PrefilterSettings& settings, const Progress& progress) {
+    return guarded([&] { return make_prefiltering(gpu, environment, settings, progress); });
 }
 
 } // namespace lobelia::host

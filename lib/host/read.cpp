@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "host/exr_read.h"
+#include "host/guard.h"
 #include "host/hdr_read.h"
 #include "host/input_file.h"
 #include "host/message.h"
@@ -37,16 +38,18 @@ Outcome<Environment> read_any(const std::string& path, const ReadLimits& limits)
 } // namespace
 
 Outcome<Environment> read_environment(const std::string& path, const ReadLimits& limits) {
-    // The standard library and OpenEXR throw when memory runs out.
-    try {
-        Outcome<Environment> environment = read_any(path, limits);
-        if (!environment) return about(path, environment.error());
-        for (std::string& notice : environment->notices) notice = about(path, {notice}).message;
-        return environment;
-    } catch (const std::exception& error) {
-        return about(path, {std::string("cannot be read (") + error.what() +
-                            "), close other programs or reduce the image"});
-    }
+    return guarded([&]() -> Outcome<Environment> {
+        // The standard library and OpenEXR throw when memory runs out.
+        try {
+            Outcome<Environment> environment = read_any(path, limits);
+            if (!environment) return about(path, environment.error());
+            for (std::string& notice : environment->notices) notice = about(path, {notice}).message;
+            return environment;
+        } catch (const std::exception& error) {
+            return about(path, {std::string("cannot be read (") + error.what() +
+                                "), close other programs or reduce the image"});
+        }
+    });
 }
 
 } // namespace lobelia::host

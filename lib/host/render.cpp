@@ -1,6 +1,7 @@
 #include <lobelia/host/work.h>
 
 #include "host/drawing.h"
+#include "host/guard.h"
 #include "host/scene_plan.h"
 
 namespace lobelia::host {
@@ -13,10 +14,8 @@ Image black_picture(const SphereView& view) {
             .texels = std::vector<float>(std::size_t(4) * view.width * view.height)};
 }
 
-} // namespace
-
-Outcome<Rendering> render(Gpu& gpu, const GpuEnvironment& environment,
-                          const RenderSettings& settings, const Progress& progress) {
+Outcome<Rendering> render_sphere(Gpu& gpu, const GpuEnvironment& environment,
+                                 const RenderSettings& settings, const Progress& progress) {
     if (const auto valid = check_render(gpu, settings); !valid) return valid.error();
     const SphereView& view = settings.view;
     const auto inputs = make_sphere_inputs(gpu, environment, settings, progress);
@@ -32,6 +31,13 @@ Outcome<Rendering> render(Gpu& gpu, const GpuEnvironment& environment,
     Rendering rendering{std::move(*picture), inputs->report};
     rendering.report.passes.push_back(run);
     return rendering;
+}
+
+} // namespace
+
+Outcome<Rendering> render(Gpu& gpu, const GpuEnvironment& environment,
+                          const RenderSettings& settings, const Progress& progress) {
+    return guarded([&] { return render_sphere(gpu, environment, settings, progress); });
 }
 
 } // namespace lobelia::host

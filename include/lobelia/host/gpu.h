@@ -120,7 +120,9 @@ public:
     Outcome<GpuBuffer> create_buffer(VkDeviceSize bytes, VkBufferUsageFlags usage, Memory memory);
     Outcome<GpuImage> create_image(const GpuImageDescription& description);
 
-    /// Records commands, submits them and waits until the device has finished.
+    /// Records commands, submits them and waits until the device has finished; what they wrote to
+    /// mapped memory can be read then. After a loss of the
+    /// device all further calls fail and say so; other failures leave the Gpu as good as before.
     Outcome<Done> submit(const std::function<void(VkCommandBuffer)>& record);
 
     /// The same, and gives the milliseconds between the device's timestamps before and after;
