@@ -116,10 +116,8 @@ TEST(EmbeddingGuide, ShowsWhatTheExamplesCompile) {
         std::string comment, file, section;
         ASSERT_TRUE(origin >> comment >> file >> section && section.size() > 2) << before;
         std::string listing;
-        while (std::getline(guide, line) && line != "```")
-            listing += line + "
-                              ";
-                       EXPECT_EQ(listing, section_of(file, section.substr(1, section.size() - 2)));
+        while (std::getline(guide, line) && line != "```") listing += line + "\n";
+        EXPECT_EQ(listing, section_of(file, section.substr(1, section.size() - 2)));
         ++listings;
     }
     EXPECT_GE(listings, 7);

@@ -73,11 +73,14 @@ protected:
     }
 
     Scene make_scene(Taps taps) {
-        Scene scene{
-            value_of(host::make_maps(
-                gpu, light, {.lambert = true, .ladder = ladder_for(taps, LEAST, MOST)}, {})),
-            value_of(host::make_clipped_tables(gpu)),
-            {}};
+        const PrefilterPlan plan =
+            value_of(PrefilterPlan::make({.lambert = true,
+                                          .ladder = ladder_for(taps, LEAST, MOST),
+                                          .source_size = light.cube.description().width}));
+        host::PassReport upload;
+        Scene scene{value_of(host::make_maps(gpu, light, plan, {})),
+                    value_of(host::make_clipped_tables(gpu, upload)),
+                    {}};
         scene.sources = {.background = light.cube.view(),
                          .diffuse = scene.maps.images.back().view(),
                          .prefilter_state = scene.maps.state.handle(),
