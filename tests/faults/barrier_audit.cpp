@@ -153,7 +153,6 @@ void BarrierAudit::see(Seen<Call::vkCmdBindDescriptorSets>, VkCommandBuffer,
 void BarrierAudit::use_bindings(VkPipelineBindPoint point, VkPipelineStageFlags stage,
                                 const std::string& what) {
     const std::string command = what + " " + std::to_string(++commands_);
-    history.next_command();
     for (const bool writing : {false, true})
         for (const auto& [binding, use] : pipelines_[pipeline_[point]].uses) {
             const Bound& bound = sets_[set_[point]][binding];
@@ -170,12 +169,25 @@ void BarrierAudit::use_bindings(VkPipelineBindPoint point, VkPipelineStageFlags 
                                command + " at binding " + std::to_string(binding));
         }
 }
+// Dispatches of one pass from different first workgroups are the pieces of one command.
+void BarrierAudit::dispatch(bool may_be_a_piece) {
+    const std::pair now{pipeline_[VK_PIPELINE_BIND_POINT_COMPUTE],
+                        set_[VK_PIPELINE_BIND_POINT_COMPUTE]};
+    if (!may_be_a_piece || dispatched_ != now) history.next_command();
+    dispatched_ = now;
+    use_bindings(VK_PIPELINE_BIND_POINT_COMPUTE, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, "dispatch");
+}
 void BarrierAudit::see(Seen<Call::vkCmdDispatch>, VkCommandBuffer, std::uint32_t, std::uint32_t,
                        std::uint32_t) {
-    use_bindings(VK_PIPELINE_BIND_POINT_COMPUTE, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, "dispatch");
+    dispatch(false);
+}
+void BarrierAudit::see(Seen<Call::vkCmdDispatchBase>, VkCommandBuffer, std::uint32_t, std::uint32_t,
+                       std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t) {
+    dispatch(true);
 }
 void BarrierAudit::see(Seen<Call::vkCmdDraw>, VkCommandBuffer, std::uint32_t, std::uint32_t,
                        std::uint32_t, std::uint32_t) {
+    history.next_command();
     use_bindings(VK_PIPELINE_BIND_POINT_GRAPHICS, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, "draw");
 }
 
@@ -258,6 +270,7 @@ void BarrierAudit::see(Seen<Call::vkCmdPipelineBarrier>, VkCommandBuffer,
                        std::uint32_t memory_count, const VkMemoryBarrier* memories,
                        std::uint32_t buffer_count, const VkBufferMemoryBarrier* buffers,
                        std::uint32_t image_count, const VkImageMemoryBarrier* images) {
+    dispatched_ = {};
     for (const VkImageMemoryBarrier& image : std::span(images, image_count))
         for (const Part& one : parts(image.image, image.subresourceRange))
             history.depend(one, {first, image.srcAccessMask}, {second, image.dstAccessMask},

@@ -3,6 +3,7 @@
 #include <set>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "access_history.h"
 #include "functions.h"
@@ -58,6 +59,8 @@ public:
              const std::uint32_t*);
     void see(Seen<Call::vkCmdDispatch>, VkCommandBuffer, std::uint32_t, std::uint32_t,
              std::uint32_t);
+    void see(Seen<Call::vkCmdDispatchBase>, VkCommandBuffer, std::uint32_t, std::uint32_t,
+             std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t);
     void see(Seen<Call::vkCmdDraw>, VkCommandBuffer, std::uint32_t, std::uint32_t, std::uint32_t,
              std::uint32_t);
     void see(Seen<Call::vkCmdBeginRenderPass>, VkCommandBuffer, const VkRenderPassBeginInfo*,
@@ -108,6 +111,7 @@ private:
     Part part(VkBuffer buffer, VkDeviceSize offset = 0, VkDeviceSize size = VK_WHOLE_SIZE) const;
     void use_bindings(VkPipelineBindPoint point, VkPipelineStageFlags stage,
                       const std::string& what);
+    void dispatch(bool may_be_a_piece);
     void cross_render_pass(const PassOnTarget& begun, bool entering);
 
     std::map<VkImage, Image> images_;
@@ -124,6 +128,7 @@ private:
     std::map<VkDescriptorSet, std::map<std::uint32_t, Bound>> sets_;
     std::map<VkPipelineBindPoint, VkPipeline> pipeline_; // bound
     std::map<VkPipelineBindPoint, VkDescriptorSet> set_;
+    std::pair<VkPipeline, VkDescriptorSet> dispatched_{}; // last, with no barrier since
     PassOnTarget begun_{};
     std::size_t commands_ = 0; // recorded, for messages
 };

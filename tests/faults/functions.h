@@ -38,6 +38,7 @@
     X(vkCmdCopyBufferToImage)                                                                      \
     X(vkCmdCopyImageToBuffer)                                                                      \
     X(vkCmdDispatch)                                                                               \
+    X(vkCmdDispatchBase)                                                                           \
     X(vkCmdDraw)                                                                                   \
     X(vkCmdEndRenderPass)                                                                          \
     X(vkCmdPipelineBarrier)                                                                        \

@@ -16,6 +16,7 @@ namespace {
 
 /// Does the work with its k-th allocation failing, for every k. The work says whether it succeeded.
 int fail_every_allocation(const std::function<bool()>& work) {
+    EXPECT_TRUE(work()); // OpenEXR sets itself up once, and cannot when that was interrupted
     std::size_t k = 0;
     for (bool done = false; !done; ++k) {
         FailingNew::begin(k);

@@ -92,7 +92,8 @@ R perform(VulkanShim& shim, R (*real)(Arguments...), Arguments... arguments) {
                                    [&] { return real(arguments...); });
     if constexpr (id == Call::vkDestroyPipeline)
         if (shim.pipelines.keeps(std::get<0>(all), std::get<1>(all))) return;
-    if constexpr (id == Call::vkCmdDispatch || id == Call::vkCmdDraw)
+    if constexpr (id == Call::vkCmdDispatch || id == Call::vkCmdDispatchBase ||
+                  id == Call::vkCmdDraw)
         if (shim.dry) return;
     if constexpr (id == Call::vkDestroyDevice) shim.pipelines.device_dies(std::get<0>(all));
     return real(arguments...);
@@ -158,6 +159,8 @@ PFN_vkVoidFunction find(const char* wanted, bool instance) {
 PFN_vkVoidFunction get_device_proc_addr(VkDevice device, const char* name) {
     const Inside inside;
     const PFN_vkVoidFunction real = ::vkGetDeviceProcAddr(device, name);
+    // Names and labels for debuggers change nothing, and are there with the layers alone.
+    if (std::string_view(name).find("DebugUtils") != std::string_view::npos) return real;
     return real ? find(name, false) : nullptr;
 }
 
