@@ -171,7 +171,11 @@ TEST_F(ScenePlanTest, SharesLevelsBetweenMaterials) {
     const std::array<float, 3> grey{0.5f, 0.5f, 0.5f};
     const SceneMaterial materials[] = {
         {grey, grey, 500, 500}, {grey, grey, 64, 64}, {grey, {}, 1, 1}, {grey, grey, 100, 400}};
-    EXPECT_EQ(levels(materials), levels({materials, 1}));
+    const std::uint32_t sharpest = levels({materials, 1}), deepest = levels({materials + 1, 1});
+    const std::uint32_t both = levels({materials, 2});
+    EXPECT_GE(both, std::max(sharpest, deepest));
+    EXPECT_LT(both, sharpest + deepest);
+    EXPECT_EQ(levels(materials), both); // what lies between them finds all its levels there
 }
 
 TEST(SceneEditTest, AsksForNoMoreThanItChanges) {
