@@ -50,7 +50,6 @@ struct PrefilterJob::State {
                 const PassTimestamps& timestamps) const noexcept;
     void record_pass(VkCommandBuffer commands, std::uint32_t index, std::uint32_t first,
                      std::uint32_t count) const noexcept;
-    void wait(VkCommandBuffer commands) const noexcept;
 };
 
 Result<PrefilterJob> Prefilter::bind(const PrefilterPlan& plan, const CubeMap& source,
@@ -232,11 +231,10 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands, std::uint32_t in
         break;
     }
     }
-    dispatch_pieces(context, commands, groups_of(all, planned), first, count);
-}
-
-void PrefilterJob::State::wait(VkCommandBuffer commands) const noexcept {
-    vk::memory_barrier(shared->context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+    const Groups groups = groups_of(all, planned);
+    dispatch_pieces(context, commands, groups, first, count);
+    if (first + count < groups.pieces()) return;
+    vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
                        VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
                        VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT |
                            VK_ACCESS_UNIFORM_READ_BIT);
@@ -259,14 +257,11 @@ void PrefilterJob::State::record(VkCommandBuffer commands, PrefilterPosition fro
     if (from_levels && plan.state().levels_up_to > 0 && plan.ladder().rungs) tell_ladder(commands);
     for (PrefilterPosition at = from; at.pass < plan.pass_count() && at != to;
          at = {at.pass + 1, 0}) {
-        const bool whole = at.pass != to.pass;
-        const std::uint32_t end = whole ? pieces(at.pass) : to.piece;
+        const std::uint32_t end = at.pass == to.pass ? to.piece : pieces(at.pass);
         stamp(VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, 2 * at.pass);
         record_pass(commands, at.pass, at.piece, end - at.piece);
-        if (!whole) break;
-        // Nothing reads a map before the end; passes that are timed run one by one.
-        if (pass(at.pass).maps.empty() || timestamps.pool) wait(commands);
         stamp(VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, 2 * at.pass + 1);
+        if (at.pass == to.pass) break;
     }
     if (to.pass == plan.pass_count()) end(commands);
 }

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "prefilter_fixture.h"
-#include "support/counting_device.h"
 
 namespace lobelia::test {
 namespace {
@@ -55,18 +54,6 @@ TEST_F(PrefilterTest, LeavesConstantLightAsItIs) {
             }
         }
     RecordProperty("worst", std::to_string(worst));
-}
-
-TEST_F(PrefilterTest, MakesMapsWithoutWaitingForOneAnother) {
-    const Prefilter counted = value_of(Prefilter::create(counting_device(gpu)));
-    const host::GpuImage source = on_device(gpu, even_cube(256, 1, 1, 1));
-    const auto barriers = [&](std::vector<float> exponents) {
-        Recorded::reset();
-        make_maps(gpu, counted, source, {std::move(exponents)});
-        return Recorded::now().barriers;
-    };
-    // One map more from levels that are there: its layout changes before and after.
-    EXPECT_EQ(barriers({700, 2048, 1000}), barriers({700, 2048}) + 2);
 }
 
 TEST_F(PrefilterTest, MakesNothingOutOfBlack) {
