@@ -180,6 +180,24 @@ void rotations(Bench& bench, Findings& found) {
     }
 }
 
+// Where a texel of a panorama of 64 x 32 lies on the average over its solid angle: near a pole that
+// is not its middle.
+Direction mean_direction(int x, int y) {
+    constexpr int PARTS = 64;
+    Direction sum{};
+    for (int i = 0; i < PARTS; ++i)
+        for (int j = 0; j < PARTS; ++j) {
+            const double longitude = 2 * oracle::PI * (0.5 - (x + (i + 0.5) / PARTS) / 64);
+            const double latitude = oracle::PI * (0.5 - (y + (j + 0.5) / PARTS) / 32);
+            const double ring = std::cos(latitude);
+            sum.x += std::sin(longitude) * ring * ring;
+            sum.y += std::sin(latitude) * ring;
+            sum.z += std::cos(longitude) * ring * ring;
+        }
+    const double length = std::sqrt(dot(sum, sum));
+    return {sum.x / length, sum.y / length, sum.z / length};
+}
+
 void lone_texel(Bench& bench, Findings& found) {
     for (std::uint64_t seed = 1; seed <= ENVIRONMENTS; ++seed) {
         oracle::Random random(seed);
@@ -189,7 +207,7 @@ void lone_texel(Bench& bench, Findings& found) {
         found.at("seed " + std::to_string(seed) + ", n " + text(n) + ", texel " +
                  std::to_string(x) + " " + std::to_string(y));
         source.texel(0, x, y) = {1, 1e9, 1e-9};
-        const Direction sun = source.direction(0, x, y);
+        const Direction sun = mean_direction(x, y);
         const double angle = source.solid_angle(x, y);
         Directions asked;
         while (asked.size() < 6) {
@@ -205,8 +223,8 @@ void lone_texel(Bench& bench, Findings& found) {
             }
             const double truth =
                 (double(n) + 1) / (2 * oracle::PI) * 1e9 * angle * std::pow(cosine, double(n));
-            // The texel's sides are h = pi / 32: off by h^2 / 24 times the lobe's curvature along
-            // both, at most n (n - 1) tan^2 + n each.
+            // The texel's sides are at most h = pi / 32: off by h^2 / 24 times the lobe's curvature
+            // along both, at most n (n - 1) tan^2 + n each.
             const double tangent = std::sqrt(1 - cosine * cosine) / cosine;
             const double curvature =
                 double(n) * (std::abs(double(n) - 1) * tangent * tangent + 1) + 2;
