@@ -145,7 +145,7 @@ Result<Done> ScenePlan::State::plan_maps(const Exponents& exponents) {
     if (taps && !shading.specular) shading.method = SphereMethod::split_sum; // no horizon to cut
     if (taps && shading.specular) {
         request.ladder = ladder_for(*taps, exponents.least, exponents.most);
-        shading.suns = scene.suns.value_or(true);
+        shading.suns = scene.suns != Suns::none;
         if (const auto added = add_prefilter(request); !added) return added.error();
         add_tables();
         return Done{};

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 
 #include <lobelia/prefilter.h>
@@ -21,6 +20,9 @@ struct SceneMaterial {
     float most_exponent = 1.0f;
 };
 
+/// Whether an environment has suns beside its maps: light far above its mean, see Prefilter.
+enum class Suns : std::uint32_t { unknown, none, some };
+
 /// What is drawn in the light of one environment, as far as it decides what has to be computed.
 struct Scene {
     std::span<const SceneMaterial> materials; // of surfaces in view; none: nothing is lit
@@ -30,7 +32,7 @@ struct Scene {
     std::uint32_t samples = 64; // by SphereMethod::importance
     /// What the caller knows of the environment's texels. Unknown suns are found on the device.
     bool constant = false;
-    std::optional<bool> suns;
+    Suns suns = Suns::unknown;
     std::uint32_t source_size = 0;     // edge of the cube map that maps are made from, as in
                                        // PrefilterRequest
     std::uint32_t background_size = 0; // of the one that is seen itself; 0: the same
