@@ -38,6 +38,7 @@ std::string as_json_line(const FrameReport& report, const ViewState& state, cons
         {"rotation", state.rotation},
         {"exposure", state.exposure},
         {"panel", state.panel},
+        {"typing", ImGui::GetIO().WantTextInput},
         {"help", state.help},
         {"reference", status.reference_done ? json(*status.reference_done) : json()},
         {"pick", status.pick ? json{{"x", status.pick->x},

@@ -90,15 +90,25 @@ void Gui::set_scale(float scale) {
     fonts.AddFontDefault(&config);
 }
 
-bool Gui::begin_frame() {
+bool Gui::begin_frame(std::span<const KeyPress> pressed) {
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    const bool is_down = io.KeysDown[GLFW_KEY_TAB] && !io.WantTextInput;
-    const bool is_pressed = is_down && !tab_was_down_;
-    tab_was_down_ = is_down;
-    if (is_down) io.KeysDown[GLFW_KEY_TAB] = false;
+    for (const int key : held_) io.KeysDown[key] = false;
+    held_.clear();
+    io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
+    io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
+    bool is_tab = false;
+    for (const auto& [key, modifiers] : pressed) {
+        if (modifiers & GLFW_MOD_CONTROL) io.KeyCtrl = true;
+        if (modifiers & GLFW_MOD_SHIFT) io.KeyShift = true;
+        if (key == GLFW_KEY_TAB && !io.WantTextInput) is_tab = true;
+        if (io.KeysDown[key]) continue;
+        io.KeysDown[key] = true;
+        held_.push_back(key);
+    }
+    if (!io.WantTextInput) io.KeysDown[GLFW_KEY_TAB] = false;
     ImGui::NewFrame();
-    return is_pressed;
+    return is_tab;
 }
 
 void Gui::end_frame() const {

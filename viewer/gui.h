@@ -1,12 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include <lobelia/host/gpu.h>
 
 #include "owned.h"
-
-struct GLFWwindow;
+#include "window.h"
 
 namespace lobelia::cli {
 
@@ -22,13 +23,15 @@ public:
     void set_scale(float scale);
     float scale() const { return scale_; }
 
-    /// True where Tab was pressed, which is not ours to move on with while nothing is typed.
-    bool begin_frame();
+    /// `pressed` since the last frame: each counts as down in this one, however short it was. True
+    /// where Tab was among them and nothing is typed; it is then not used to go from control to
+    /// control.
+    bool begin_frame(std::span<const KeyPress> pressed);
     void end_frame() const;
 
 private:
     float scale_ = 0.0f;
-    bool tab_was_down_ = false;
+    std::vector<int> held_; // keys that are up but count as down in this frame
 };
 
 /// What draws it, on one device.

@@ -208,7 +208,7 @@ Outcome<Done> Viewer::draw_gui(Requests& requests) {
     status_.maps_done = renderer_->stage().maps_done();
     status_.reference_done = renderer_->stage().reference_done();
     status_.bytes = renderer_->stage().bytes();
-    if (gui_.begin_frame()) state_.panel = !state_.panel;
+    if (gui_.begin_frame(window_.take_keys())) state_.panel = !state_.panel;
     panel_.draw(state_, status_, requests);
     controls_.apply(state_, requests);
     draw_overlay(state_, status_);

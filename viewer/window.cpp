@@ -47,6 +47,11 @@ Outcome<Window> Window::create(const std::string& title, VkExtent2D size) {
         auto& dropped = static_cast<State*>(glfwGetWindowUserPointer(window))->dropped;
         dropped.insert(dropped.end(), paths, paths + count);
     });
+    // Gui's callbacks call this one too, which was there before them.
+    glfwSetKeyCallback(handle, [](GLFWwindow* window, int key, int, int action, int modifiers) {
+        if (action == GLFW_PRESS && key >= 0)
+            static_cast<State*>(glfwGetWindowUserPointer(window))->keys.push_back({key, modifiers});
+    });
     return Window(std::move(state));
 }
 

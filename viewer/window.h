@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <lobelia/host/gpu.h>
@@ -9,6 +10,12 @@
 struct GLFWwindow;
 
 namespace lobelia::cli {
+
+/// A key that went down, by GLFW's number, and the modifiers that were held then.
+struct KeyPress {
+    int key = 0;
+    int modifiers = 0;
+};
 
 /// A window of the system, with what the person did to it since the last look. One at a time, on
 /// the program's first thread.
@@ -32,6 +39,8 @@ public:
 
     /// Files that were dropped onto the window since the last call.
     std::vector<std::string> take_dropped() { return std::exchange(state_->dropped, {}); }
+    /// Keys that went down since the last call, also those that are up again.
+    std::vector<KeyPress> take_keys() { return std::exchange(state_->keys, {}); }
 
 private:
     struct Destroy {
@@ -40,6 +49,7 @@ private:
     struct State {
         std::unique_ptr<GLFWwindow, Destroy> handle;
         std::vector<std::string> dropped;
+        std::vector<KeyPress> keys;
     };
     explicit Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
 

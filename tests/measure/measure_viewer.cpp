@@ -116,6 +116,7 @@ void measure_edits(const Desktop& desktop, const std::string& panorama) {
                     result.longest_gap);
     }
     session.click("path");
+    session.wait_for("the field", [](const Json& frame) { return frame["typing"] == true; });
     session.type(panorama);
     session.wait_until_still();
     session.take_frames();

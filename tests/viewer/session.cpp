@@ -178,6 +178,7 @@ const std::string& ViewerSession::window() {
         window_ = desktop_.run({"xdotool", "search", "--sync", "--onlyvisible", "--pid",
                                 std::to_string(child_.process())});
         window_.erase(window_.find('\n'));
+        desktop_.run({"xdotool", "windowfocus", "--sync", window_});
     }
     return window_;
 }

@@ -113,16 +113,20 @@ TEST_F(ViewerTest, DoesWhatAPersonAsksFor) {
     EXPECT_GT(largest_difference(first, sharper, 400, 900), 10);
 
     // A file that is none: a message and the old picture. Then one that is.
-    session.click("path");
-    session.type("missing.exr\n");
+    const auto type_path = [&](const std::string& path) {
+        session.click("path");
+        session.wait_for("the field", [](const Json& frame) { return frame["typing"] == true; });
+        session.type(path);
+        session.key("Return");
+    };
+    type_path("missing.exr");
     session.wait_for("a message", [](const Json& frame) {
         return frame["message"].get<std::string>().starts_with("missing.exr");
     });
     EXPECT_EQ(session.wait_until_still()["environments_shown"], 1);
     EXPECT_EQ(largest_difference(sharper, seen(session), 400, 900), 0);
     std::filesystem::copy(LOBELIA_CORPUS_FOLDER "/17x9.exr", folder / "other.exr");
-    session.click("path");
-    session.type("other.exr\n");
+    type_path("other.exr");
     session.wait_for("another environment",
                      [](const Json& frame) { return frame["environment"] == "other.exr"; });
     EXPECT_EQ(session.wait_until_still()["environments_shown"], 2);
@@ -217,10 +221,14 @@ TEST_F(ViewerTest, OutlivesEverySize) {
     EXPECT_EQ(picture.width, 420u);
     EXPECT_EQ(picture.height, 310u);
 
-    session.take_frames();
     set_minimised(true);
-    session.key("t"); // would draw all the time
     std::this_thread::sleep_for(500ms);
+    session.read_rest();
+    session.take_frames();
+    session.key("t"); // draws all the time, once there is something to draw on
+    std::this_thread::sleep_for(500ms);
+    session.read_rest();
+    EXPECT_TRUE(session.take_frames().empty());
     set_minimised(false);
     session.wait_for("frames again", [](const Json& frame) { return frame["rotation"] != 0.0; });
     expect_good_end(session);
