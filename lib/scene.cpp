@@ -4,6 +4,7 @@
 #include <bit>
 #include <charconv>
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
