@@ -26,7 +26,9 @@ bool choose_method(Widgets& widgets, const char* name, SphereMethod& method) {
         if (methods[i].method == method) chosen = int(i);
     const bool changed = widgets.combo(name, chosen, int(methods.size()), method_text, &methods);
     if (changed) method = methods[std::size_t(chosen)].method;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", methods[std::size_t(chosen)].what);
+    const bool is_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+    if (!is_open && ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", methods[std::size_t(chosen)].what);
     return changed;
 }
 

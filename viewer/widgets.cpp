@@ -82,22 +82,22 @@ bool Widgets::checkbox(const char* name, const char* text, bool& value) {
 bool Widgets::combo(const char* name, int& chosen, int count, const char* (*text)(void*, int),
                     void* texts) {
     const int before = chosen;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    places_[name] = {at.x, at.y, ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
     ImGui::PushID(name);
-    const bool is_open =
-        ImGui::BeginCombo("##combo", chosen >= 0 && chosen < count ? text(texts, chosen) : "",
-                          ImGuiComboFlags_HeightLarge);
-    ImGui::PopID();
-    mark(name);
-    if (!is_open) return false;
-    for (int i = 0; i < count; ++i) {
-        const bool is_chosen = i == chosen;
-        ImGui::PushID(i);
-        if (ImGui::Selectable(text(texts, i), is_chosen)) chosen = i;
-        ImGui::PopID();
-        mark(std::string(name) + "." + text(texts, i));
-        if (is_chosen) ImGui::SetItemDefaultFocus();
+    const bool is_one = chosen >= 0 && chosen < count;
+    if (ImGui::BeginCombo("##combo", is_one ? text(texts, chosen) : "",
+                          ImGuiComboFlags_HeightLarge)) {
+        for (int i = 0; i < count; ++i) {
+            ImGui::PushID(i);
+            if (ImGui::Selectable(text(texts, i), i == before)) chosen = i;
+            ImGui::PopID();
+            mark(std::string(name) + "." + text(texts, i));
+            if (i == before) ImGui::SetItemDefaultFocus();
+        }
+        ImGui::EndCombo();
     }
-    ImGui::EndCombo();
+    ImGui::PopID();
     return chosen != before;
 }
 
