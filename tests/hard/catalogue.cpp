@@ -3,9 +3,10 @@
 namespace lobelia::hard {
 
 const std::vector<Kind>& catalogue() {
-    static const std::vector<Kind> all{lobe_numerics(), texel_values(), image_shapes(),
-                                       hostile_files(), geometry(),     views(),
-                                       devices(),       processes(),    oracle_facts()};
+    static const std::vector<Kind> all{
+        lobe_numerics(),  suns(),         texel_values(),  image_sizes(), exr_forms(),
+        radiance_forms(), not_pictures(), hostile_files(), geometry(),    views(),
+        devices(),        processes(),    oracle_facts()};
     return all;
 }
 

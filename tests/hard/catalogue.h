@@ -25,15 +25,19 @@ struct Kind {
     std::vector<Row> rows;
 };
 
-Kind lobe_numerics(); // A
-Kind texel_values();  // B
-Kind image_shapes();  // C
-Kind hostile_files(); // D
-Kind geometry();      // E
-Kind views();         // F
-Kind devices();       // G
-Kind processes();     // H
-Kind oracle_facts();  // O
+Kind lobe_numerics();  // A
+Kind suns();           // B
+Kind texel_values();   // B
+Kind image_sizes();    // C
+Kind exr_forms();      // C
+Kind radiance_forms(); // C
+Kind not_pictures();   // C
+Kind hostile_files();  // D
+Kind geometry();       // E
+Kind views();          // F
+Kind devices();        // G
+Kind processes();      // H
+Kind oracle_facts();   // O
 
 /// All of them, in the order of their letters.
 const std::vector<Kind>& catalogue();

@@ -51,6 +51,10 @@ void cheaply_refused(Findings& found, const std::string& path, const std::string
     found.within(cost.megabytes, 16);
 }
 
+host::Environment read(const std::string& path) {
+    return value_of(host::read_environment(path));
+}
+
 double plain_mean(const host::Image& image) {
     double sum = 0;
     for (std::size_t i = 0; i < image.texels.size(); ++i)

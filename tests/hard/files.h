@@ -23,6 +23,9 @@ RefusalCost cost_of_refusing(const std::string& path);
 /// `words` in it.
 void cheaply_refused(Findings& found, const std::string& path, const std::string& words = "");
 
+/// The environment in a file that is good.
+host::Environment read(const std::string& path);
+
 /// The mean of an image's colour, all texels alike.
 double plain_mean(const host::Image& image);
 

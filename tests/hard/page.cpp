@@ -16,8 +16,9 @@ all of them:
     cmake --build --preset release --target update-hard-cases
 
 `worst` is the error that came nearest to what is allowed of it, and that; `exact` where the promise
-is one of bytes, `refused` where it is an error that says what is wrong and what to do. A test's name
-stands where another test holds the promise. Errors are relative unless the promise says otherwise;
+is one of bytes, `refused` where it is an error that says what is wrong and what to do; "of 16" and
+"of 50" are the megabytes and milliseconds that a refusal took. A test's name stands where another
+test holds the promise. Errors are relative unless the promise says otherwise;
 "the map" is what the prefilter stores, in halves, "exact" the direct integration.
 )";
 
