@@ -5,3 +5,9 @@ add_library(lobelia_warnings INTERFACE)
 target_compile_options(lobelia_warnings INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -Wno-missing-field-initializers
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+
+# For what is compiled more often than it works long: programs around the library, and tests.
+# -Wno-...: at -O1 GCC 12 takes std::string's short buffer for all that it holds (its bug 105329).
+add_library(lobelia_light_work INTERFACE)
+target_compile_options(lobelia_light_work INTERFACE
+    $<$<CONFIG:Release>:-O1> "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")

@@ -213,10 +213,11 @@ TEST_P(SunTest, IsSummedExactly) {
         }
         const Errors over_sphere = errors(made, map, anywhere);
         const Errors over_lobe = errors(made, map, near);
-        if (n <= 2048) {
-            EXPECT_LE(over_sphere.rms, n <= 700 ? 2e-3 : 5e-3) << "n " << n;
-            EXPECT_LE(over_lobe.rms, n <= 700 ? 2e-3 : 5e-3) << "n " << n;
-        }
+        const double asked = n <= 700 ? 2e-3 : 5e-3;
+        EXPECT_LE(over_sphere.rms, asked) << "n " << n;
+        EXPECT_LE(over_lobe.most, 1e-1) << "n " << n;
+        // Of 1e4 the lobe is as narrow as the texel, whose sun it takes for a round one.
+        if (n <= 2048) EXPECT_LE(over_lobe.rms, asked) << "n " << n;
         const std::string suffix = "_" + std::to_string(int(n)) + "_" + std::to_string(map);
         RecordProperty("anywhere" + suffix, std::to_string(over_sphere.rms));
         RecordProperty("anywhere_max" + suffix, std::to_string(over_sphere.most));
