@@ -13,10 +13,6 @@ std::vector<double> lobe_eigenvalues(double n, std::size_t count) {
     return lambda;
 }
 
-double exponent_of(double lambda_1) {
-    return (2 * lambda_1 - 1) / (1 - lambda_1);
-}
-
 namespace {
 
 Spectrum spectrum_of(const Kernel& kernel) {

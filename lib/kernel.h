@@ -24,7 +24,4 @@ std::vector<double> lobe_eigenvalues(double exponent, std::size_t count);
 /// The kernel that has this spectrum after it has been cut off at `last_chord`.
 Kernel match_kernel(const Spectrum& spectrum, double last_chord);
 
-/// The exponent whose lobe has this lambda_1.
-double exponent_of(double lambda_1);
-
 } // namespace lobelia

@@ -104,11 +104,7 @@ std::vector<vk::Resource> PrefilterJob::State::resources(const PlannedPass& plan
     const vk::Resource image = vk::sampled_image(source.get(), shared->sampler.get());
     const vk::Resource tiles = vk::buffer_range(scratch, 0, plan.state().tiles_bytes);
     const vk::Resource state_buffer = vk::buffer_range(state);
-    const auto map = [&](std::size_t i) {
-        const std::size_t last = planned.maps.empty() ? 0 : planned.maps.size() - 1;
-        return vk::storage_image(
-            maps[planned.maps.empty() ? 0 : planned.maps[std::min(i, last)]].get());
-    };
+    const auto map = [&] { return vk::storage_image(maps[planned.map.value_or(0)].get()); };
     const vk::Resource terms = vk::buffer_range(
         scratch, plan.state().terms_offset, std::max<VkDeviceSize>(plan.state().terms_bytes, 1));
     const auto texels = [&] { return vk::texel_buffer(levels[planned.source].get()); };
@@ -120,13 +116,12 @@ std::vector<vk::Resource> PrefilterJob::State::resources(const PlannedPass& plan
     case PlannedPass::Kind::margins: return {level_buffer(planned.target)};
     case PlannedPass::Kind::halve: return {texels(), level_buffer(planned.target)};
     case PlannedPass::Kind::blur_level:
-    case PlannedPass::Kind::blur_map: return {texels(), level_buffer(planned.target), map(0)};
+    case PlannedPass::Kind::blur_map: return {texels(), level_buffer(planned.target), map()};
     case PlannedPass::Kind::project: return {texels(), terms};
     case PlannedPass::Kind::sum: return {terms};
-    case PlannedPass::Kind::expand: return {terms, map(0)};
-    case PlannedPass::Kind::broad: break;
+    case PlannedPass::Kind::expand: break;
     }
-    return {texels(), map(0), map(1), map(2), map(3)};
+    return {terms, map()};
 }
 
 void PrefilterJob::State::begin(VkCommandBuffer commands) const noexcept {
@@ -196,8 +191,8 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands, std::uint32_t in
         const bool to_map = planned.kind == PlannedPass::Kind::blur_map;
         const ChainLevel& from = level(planned.source);
         const std::uint32_t size =
-            to_map ? all.maps[planned.maps[0]].size : level(planned.target).size;
-        const std::uint32_t across = to_map ? all.across(planned.maps[0]) : size;
+            to_map ? all.maps[*planned.map].size : level(planned.target).size;
+        const std::uint32_t across = to_map ? all.across(*planned.map) : size;
         begin_pass(BlurParams{from.size, from.margin, size, level(planned.target).margin, across,
                               float(planned.kernel.sharpness), float(planned.kernel.quadratic),
                               float(planned.kernel.last_chord), float(planned.narrowing),
@@ -213,20 +208,13 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands, std::uint32_t in
         begin_pass(SumParams{std::uint32_t(all.terms_bytes / (TERMS * TERM_BYTES))});
         break;
     case PlannedPass::Kind::expand: {
-        const std::uint32_t size = all.maps[planned.maps[0]].size;
-        ExpandParams params{size | all.across(planned.maps[0]) << 16,
-                            std::uint32_t(planned.values.size()) - 1,
+        const std::uint32_t size = all.maps[*planned.map].size;
+        ExpandParams params{size | all.across(*planned.map) << 16,
+                            std::uint32_t(planned.eigenvalues.size()) - 1,
                             float(planned.narrowing),
                             {}};
-        std::copy(planned.values.begin(), planned.values.end(), params.eigenvalues.begin());
-        begin_pass(params);
-        break;
-    }
-    case PlannedPass::Kind::broad: {
-        const std::uint32_t size = all.maps[planned.maps[0]].size;
-        const ChainLevel& from = level(planned.source);
-        BroadParams params{{}, from.size, size, float(planned.narrowing), float(edge_excess(from))};
-        std::copy(planned.values.begin(), planned.values.end(), params.exponents.begin());
+        std::copy(planned.eigenvalues.begin(), planned.eigenvalues.end(),
+                  params.eigenvalues.begin());
         begin_pass(params);
         break;
     }

@@ -7,11 +7,10 @@ namespace lobelia {
 namespace {
 
 constexpr std::uint32_t FACES = 6;
-constexpr std::uint32_t GROUP_SIZE = 8;       // local_size_x and _y of all but the next two
-constexpr std::uint32_t TILE_SIZE = 8;        // of statistics.comp
-constexpr std::uint32_t SUM_GROUP_SIZE = 64;  // of sum.comp and expand.comp
-constexpr std::uint32_t EXPAND_TEXELS = 4;    // of an invocation of expand.comp
-constexpr std::uint32_t BROAD_GROUP_SIZE = 4; // of broad.comp; suns.comp is one group
+constexpr std::uint32_t GROUP_SIZE = 8;      // local_size_x and _y of those by places
+constexpr std::uint32_t TILE_SIZE = 8;       // of statistics.comp
+constexpr std::uint32_t SUM_GROUP_SIZE = 64; // of sum.comp and expand.comp
+constexpr std::uint32_t EXPAND_TEXELS = 4;   // of an invocation of expand.comp
 
 std::uint32_t groups(std::uint32_t size, std::uint32_t group) {
     return (size + group - 1) / group;
@@ -25,7 +24,7 @@ Groups square(std::uint32_t size, std::uint32_t group, std::uint32_t layers) {
 
 Groups groups_of(const PrefilterPlan::State& plan, const PlannedPass& planned) {
     const auto target = [&] { return plan.levels[planned.target]; };
-    const auto map_size = [&] { return plan.maps[planned.maps[0]].size; };
+    const auto map_size = [&] { return plan.maps[*planned.map].size; };
     switch (planned.kind) {
     case PlannedPass::Kind::statistics:
         return square(plan.source_size / TILE_SIZE, GROUP_SIZE, FACES);
@@ -43,11 +42,9 @@ Groups groups_of(const PrefilterPlan::State& plan, const PlannedPass& planned) {
         return {FACES * size * size / CHUNK_TEXELS, 1, 1};
     }
     case PlannedPass::Kind::sum: return {groups(TERMS, SUM_GROUP_SIZE), 1, 1};
-    case PlannedPass::Kind::expand:
-        return {groups(3 * map_size() * map_size() / 4 / EXPAND_TEXELS, SUM_GROUP_SIZE), 1, 1};
-    case PlannedPass::Kind::broad: break;
+    case PlannedPass::Kind::expand: break;
     }
-    return square(map_size(), BROAD_GROUP_SIZE, 1);
+    return {groups(3 * map_size() * map_size() / 4 / EXPAND_TEXELS, SUM_GROUP_SIZE), 1, 1};
 }
 
 void dispatch_pieces(const vk::Context& context, VkCommandBuffer commands, const Groups& groups,

@@ -39,12 +39,6 @@ constexpr std::uint32_t BLUR_FLOAT_SPIRV[] = {
 constexpr std::uint32_t EXPAND_FLOAT_SPIRV[] = {
 #include "expand_float.comp.inc"
 };
-constexpr std::uint32_t BROAD_FLOAT_SPIRV[] = {
-#include "broad_float.comp.inc"
-};
-constexpr std::uint32_t BROAD_SPIRV[] = {
-#include "broad.comp.inc"
-};
 
 constexpr VkDescriptorType IMAGE = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType BUFFER = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
@@ -52,16 +46,15 @@ constexpr VkDescriptorType TEXELS = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
 constexpr VkDescriptorType UNIFORM = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType MAP = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 
-constexpr VkDescriptorType STATISTICS_BINDINGS[] = {IMAGE, BUFFER};         // source, tiles
-constexpr VkDescriptorType SUNS_BINDINGS[] = {IMAGE, BUFFER, BUFFER};       // source, tiles, state
-constexpr VkDescriptorType PREPARE_BINDINGS[] = {IMAGE, UNIFORM, BUFFER};   // source, state, level
-constexpr VkDescriptorType MARGINS_BINDINGS[] = {BUFFER};                   // level
-constexpr VkDescriptorType HALVE_BINDINGS[] = {TEXELS, BUFFER};             // source, level
-constexpr VkDescriptorType BLUR_BINDINGS[] = {TEXELS, BUFFER, MAP};         // source, level, map
-constexpr VkDescriptorType PROJECT_BINDINGS[] = {TEXELS, BUFFER};           // source, terms
-constexpr VkDescriptorType SUM_BINDINGS[] = {BUFFER};                       // terms
-constexpr VkDescriptorType EXPAND_BINDINGS[] = {BUFFER, MAP};               // terms, map
-constexpr VkDescriptorType BROAD_BINDINGS[] = {TEXELS, MAP, MAP, MAP, MAP}; // source, maps
+constexpr VkDescriptorType STATISTICS_BINDINGS[] = {IMAGE, BUFFER};       // source, tiles
+constexpr VkDescriptorType SUNS_BINDINGS[] = {IMAGE, BUFFER, BUFFER};     // source, tiles, state
+constexpr VkDescriptorType PREPARE_BINDINGS[] = {IMAGE, UNIFORM, BUFFER}; // source, state, level
+constexpr VkDescriptorType MARGINS_BINDINGS[] = {BUFFER};                 // level
+constexpr VkDescriptorType HALVE_BINDINGS[] = {TEXELS, BUFFER};           // source, level
+constexpr VkDescriptorType BLUR_BINDINGS[] = {TEXELS, BUFFER, MAP};       // source, level, map
+constexpr VkDescriptorType PROJECT_BINDINGS[] = {TEXELS, BUFFER};         // source, terms
+constexpr VkDescriptorType SUM_BINDINGS[] = {BUFFER};                     // terms
+constexpr VkDescriptorType EXPAND_BINDINGS[] = {BUFFER, MAP};             // terms, map
 
 /// A pipeline of a kind of pass.
 struct Variant {
@@ -109,19 +102,12 @@ PassKind describe(PlannedPass::Kind kind) {
     case Kind::project:
         return {"lobelia project", PROJECT_BINDINGS, sizeof(ProjectParams), {{PROJECT_SPIRV}}};
     case Kind::sum: return {"lobelia sum", SUM_BINDINGS, sizeof(SumParams), {{SUM_SPIRV}}};
-    case Kind::expand:
-        return {"lobelia expand",
-                EXPAND_BINDINGS,
-                sizeof(ExpandParams),
-                {{EXPAND_SPIRV}, {EXPAND_FLOAT_SPIRV}}};
-    case Kind::broad: break;
+    case Kind::expand: break;
     }
-    PassKind broad{"lobelia broad", BROAD_BINDINGS, sizeof(BroadParams), {}};
-    const std::span<const std::uint32_t> formats[] = {BROAD_SPIRV, BROAD_FLOAT_SPIRV};
-    for (const auto& spirv : formats)
-        for (std::uint32_t maps = 1; maps <= BROAD_MAPS; ++maps)
-            broad.variants.push_back({spirv, {maps}});
-    return broad;
+    return {"lobelia expand",
+            EXPAND_BINDINGS,
+            sizeof(ExpandParams),
+            {{EXPAND_SPIRV}, {EXPAND_FLOAT_SPIRV}}};
 }
 
 } // namespace
@@ -150,7 +136,6 @@ std::size_t variant_of(const PlannedPass& planned, bool float_maps) {
     case PlannedPass::Kind::suns_out: return planned.block == 1 ? 1 : 0;
     case PlannedPass::Kind::blur_map:
     case PlannedPass::Kind::expand: return float_maps ? 1 : 0;
-    case PlannedPass::Kind::broad: return planned.maps.size() - 1 + (float_maps ? BROAD_MAPS : 0);
     default: return 0;
     }
 }

@@ -42,11 +42,6 @@ struct ExpandParams {
     float reading;
     std::array<float, DEGREES> eigenvalues;
 };
-struct BroadParams {
-    std::array<float, BROAD_MAPS> exponents;
-    std::uint32_t source_size, size;
-    float narrowing, edge;
-};
 
 /// Which of the pipelines of its kind a pass runs.
 std::size_t variant_of(const PlannedPass& planned, bool float_maps);

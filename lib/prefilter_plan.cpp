@@ -132,9 +132,7 @@ double work_of(const PrefilterPlan::State& plan, const PlannedPass& planned,
         return all * across * across;
     }
     case PlannedPass::Kind::expand:
-        return all * double(planned.values.size() * planned.values.size());
-    case PlannedPass::Kind::broad:
-        return all * double(planned.maps.size() * texels(plan.levels[planned.source].size));
+        return all * double(planned.eigenvalues.size() * planned.eigenvalues.size());
     default: return all;
     }
 }
@@ -172,20 +170,15 @@ PrefilterPass footprint(const PrefilterPlan::State& state, const PlannedPass& pl
     case PlannedPass::Kind::blur_level:
         return {"blur level", target / PLACES, level(planned.source), level(planned.target)};
     case PlannedPass::Kind::blur_map:
-        return {"blur map", texels(state.maps[planned.maps[0]].size) / PLACES,
-                level(planned.source), map(planned.maps[0])};
+        return {"blur map", texels(state.maps[*planned.map].size) / PLACES, level(planned.source),
+                map(*planned.map)};
     case PlannedPass::Kind::project:
         return {"project", state.terms_bytes / terms * 32, level(planned.source),
                 state.terms_bytes};
     case PlannedPass::Kind::sum: return {"sum", TERMS, state.terms_bytes, terms};
-    case PlannedPass::Kind::expand:
-        return {"expand", texels(state.maps[planned.maps[0]].size) / 16, terms,
-                map(planned.maps[0])};
-    case PlannedPass::Kind::broad: break;
+    case PlannedPass::Kind::expand: break;
     }
-    std::uint64_t written = 0;
-    for (const std::uint32_t i : planned.maps) written += map(i);
-    return {"broad", texels(state.maps[planned.maps[0]].size) / 6, level(planned.source), written};
+    return {"expand", texels(state.maps[*planned.map].size) / 16, terms, map(*planned.map)};
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <lobelia/prefilter.h>
@@ -19,8 +20,6 @@ struct ChainLevel {
     VkDeviceSize bytes() const;
 };
 
-constexpr std::uint32_t BROAD_MAPS = 4; // of one broad pass
-
 // As in the shaders: degrees of the spherical harmonics, their terms and a term's bytes, and texels
 // of a chunk of project.comp.
 constexpr std::uint32_t DEGREES = 29;
@@ -29,7 +28,7 @@ constexpr std::uint32_t TERMS = DEGREES * (DEGREES + 1) / 2;
 constexpr std::uint32_t TERM_BYTES = 32;
 constexpr std::uint32_t CHUNK_TEXELS = 16 * 8;
 
-constexpr std::size_t PASS_KINDS = 12;
+constexpr std::size_t PASS_KINDS = 11;
 
 /// One pass of the plan: where it reads and writes, by index into levels or maps.
 struct PlannedPass {
@@ -44,17 +43,16 @@ struct PlannedPass {
         blur_map,
         project,
         sum,
-        expand,
-        broad
+        expand
     } kind;
     std::uint32_t block = 1;  // source texels a side of one of `prepare` and `suns_out`
     std::uint32_t source = 0; // level; of `prepare` and `suns_out` the source image
     std::uint32_t target = 0; // level
-    std::vector<std::uint32_t> maps;
+    std::optional<std::uint32_t> map;
     Kernel kernel{};
-    double narrowing = 0;       // face variance the kernel leaves out
-    double drift = 0;           // and how far that draws towards the face's centre
-    std::vector<double> values; // exponents of a broad pass, eigenvalues of an expansion
+    double narrowing = 0;            // face variance the kernel leaves out
+    double drift = 0;                // and how far that draws towards the face's centre
+    std::vector<double> eigenvalues; // of an expansion
 };
 
 struct PrefilterPlan::State {
@@ -71,7 +69,7 @@ struct PrefilterPlan::State {
         return is_rung(map) ? maps[map].size - 1 : maps[map].size;
     }
     std::vector<ChainLevel> levels;
-    std::vector<PlannedPass> passes; // those with maps last
+    std::vector<PlannedPass> passes; // those with a map last
     std::uint32_t source_passes;     // the first of all, which read the source
     std::uint32_t first_map_pass;
     VkDeviceSize tiles_bytes;

@@ -12,8 +12,7 @@ namespace {
 
 constexpr VkDeviceSize ALIGNMENT = 256;        // no device asks for more at a buffer view's offset
 constexpr std::uint32_t LEAST_CHAIN_SIZE = 32; // coarser grids have an error of their own
-constexpr double CHAIN_EXPONENT = 45;   // below it harmonics are cheaper and better than the chain
-constexpr double HARMONIC_EXPONENT = 1; // below it their series is too long: direct sums
+constexpr double CHAIN_EXPONENT = 45; // below it harmonics are cheaper and better than the chain
 constexpr double START_TEXELS_PER_SIGMA = 2.83; // of half of the first level, of box averages
 constexpr double SHARP_EXPONENT = 1500;
 constexpr double CHAIN_RATIO = 2.2; // least ratio of exponents from a level to a map
@@ -36,9 +35,10 @@ public:
         if (request.levels_up_to > 0) keep_levels();
         for (std::uint32_t i = 0; i < plan_.maps.size(); ++i)
             if (double(plan_.maps[i].exponent) >= CHAIN_EXPONENT) plan_map(i);
-        plan_low();
+        for (std::uint32_t i = 0; i < plan_.maps.size(); ++i)
+            if (double(plan_.maps[i].exponent) < CHAIN_EXPONENT) plan_harmonics(i);
         const auto maps = std::stable_partition(plan_.passes.begin(), plan_.passes.end(),
-                                                [](const auto& pass) { return pass.maps.empty(); });
+                                                [](const auto& pass) { return !pass.map; });
         plan_.first_map_pass = std::uint32_t(maps - plan_.passes.begin());
         const auto levels = std::stable_partition(plan_.passes.begin(), maps, reads_source);
         plan_.source_passes = std::uint32_t(levels - plan_.passes.begin());
@@ -108,8 +108,7 @@ private:
                                i < tier_.most_halvings ? tier_.halved_texels_per_sigma : 0.0);
             for (const std::uint32_t level : chain_) reserve_margin(level, 0.0);
         }
-        ChainLevel& low = plan_.levels[project()];
-        low.margin = low.size; // of a direct sum
+        project();
     }
 
     /// For the least exponent that is made from a level: one more, by `halved` texels for its
@@ -184,7 +183,7 @@ private:
         const PrefilteredMap& map = plan_.maps[index];
         PlannedPass pass{PlannedPass::Kind::blur_map};
         pass.source = source_for(double(map.exponent));
-        pass.maps = {index};
+        pass.map = index;
         set_kernel(pass, double(map.exponent), read_variance(index));
         plan_.passes.push_back(pass);
     }
@@ -229,26 +228,6 @@ private:
         level.margin = std::max(level.margin, std::min(even, level.size));
     }
 
-    /// Maps below the chain: spherical harmonics, and direct sums for the lowest.
-    void plan_low() {
-        std::vector<std::uint32_t> harmonic, broad;
-        for (std::uint32_t i = 0; i < plan_.maps.size(); ++i) {
-            const double exponent = double(plan_.maps[i].exponent);
-            if (exponent < HARMONIC_EXPONENT)
-                broad.push_back(i);
-            else if (exponent < CHAIN_EXPONENT)
-                harmonic.push_back(i);
-        }
-        if (harmonic.empty() && broad.empty()) return;
-        if (!harmonic.empty()) plan_harmonics(harmonic);
-        const std::uint32_t source = low_source();
-        for (std::size_t first = 0; first < broad.size(); first += BROAD_MAPS) {
-            const std::size_t end = std::min(first + BROAD_MAPS, broad.size());
-            plan_broad(source, {broad.begin() + std::ptrdiff_t(first),
-                                broad.begin() + std::ptrdiff_t(end)});
-        }
-    }
-
     /// A level of the least size, blurred evenly: the same whatever else is asked for, so that maps
     /// of low exponents have the same bits without the sharp ones.
     std::uint32_t low_source() {
@@ -276,38 +255,20 @@ private:
         return source;
     }
 
-    void plan_harmonics(const std::vector<std::uint32_t>& maps) {
+    void plan_harmonics(std::uint32_t index) {
+        const PrefilteredMap& map = plan_.maps[index];
         const ChainLevel& from = plan_.levels[project()];
-        for (const std::uint32_t index : maps) {
-            const PrefilteredMap& map = plan_.maps[index];
-            const double blurred =
-                mean_on_sphere(from.face_variance) + MEAN_READING * read_variance(index);
-            PlannedPass expand{PlannedPass::Kind::expand};
-            expand.maps = {index};
-            expand.narrowing = read_variance(index);
-            const std::uint32_t degrees = degrees_for(double(map.exponent), tier_.series_end);
-            const std::vector<double> to = lobe_eigenvalues(double(map.exponent), degrees);
-            const std::vector<double> done = lobe_eigenvalues(from.exponent, degrees);
-            for (std::uint32_t l = 0; l < degrees; ++l)
-                expand.values.push_back(to[l] / done[l] * std::exp(0.5 * l * (l + 1) * blurred));
-            plan_.passes.push_back(expand);
-        }
-    }
-
-    void plan_broad(std::uint32_t source, std::vector<std::uint32_t> maps) {
-        ChainLevel& from = plan_.levels[source];
-        from.margin = from.size; // sees all of the neighbours
-        PlannedPass pass{PlannedPass::Kind::broad};
-        pass.source = source;
-        pass.narrowing = read_variance(maps[0]);
         const double blurred =
-            lobe_eigenvalues(from.exponent, 2)[1] * (1 - mean_on_sphere(from.face_variance));
-        for (const std::uint32_t index : maps) {
-            const double wanted = lobe_eigenvalues(double(plan_.maps[index].exponent), 2)[1];
-            pass.values.push_back(std::max(0.0, exponent_of(wanted / blurred)));
-        }
-        pass.maps = std::move(maps);
-        plan_.passes.push_back(pass);
+            mean_on_sphere(from.face_variance) + MEAN_READING * read_variance(index);
+        PlannedPass expand{PlannedPass::Kind::expand};
+        expand.map = index;
+        expand.narrowing = read_variance(index);
+        const std::uint32_t degrees = degrees_for(double(map.exponent), tier_.series_end);
+        const std::vector<double> to = lobe_eigenvalues(double(map.exponent), degrees);
+        const std::vector<double> done = lobe_eigenvalues(from.exponent, degrees);
+        for (std::uint32_t l = 0; l < degrees; ++l)
+            expand.eigenvalues.push_back(to[l] / done[l] * std::exp(0.5 * l * (l + 1) * blurred));
+        plan_.passes.push_back(expand);
     }
 
     void lay_out() {

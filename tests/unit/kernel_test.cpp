@@ -47,14 +47,6 @@ TEST(KernelTest, AsksForNoMoreEigenvaluesThanCounted) {
     EXPECT_EQ(lobe_eigenvalues(7, 1), std::vector<double>{1});
 }
 
-TEST(KernelTest, FindsTheExponentOfAnEigenvalue) {
-    for (double exponent : {0.0, 0.25, 1.0, 4.8, 700.0, 1e6}) {
-        const double lambda = oracle::lobe_eigenvalue(exponent, 1);
-        // 1 - lambda has lost as many digits as the exponent has.
-        EXPECT_NEAR(exponent_of(lambda), exponent, 4e-16 * (exponent + 2) * (exponent + 2));
-    }
-}
-
 // lambda_1 and lambda_2 of the kernel as it is applied, cut off at its last chord.
 Spectrum spectrum_of(const Kernel& kernel) {
     constexpr int PIECES = 64;
