@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct WorkloadGroup {
     std::string name;
     std::vector<Workload> workloads;
 };
+inline std::ostream& operator<<(std::ostream& out, const WorkloadGroup& group) {
+    return out << group.name;
+}
 const std::vector<WorkloadGroup>& workload_groups();
 
 } // namespace lobelia::test
