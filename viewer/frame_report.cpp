@@ -12,6 +12,7 @@ std::string as_json_line(const FrameReport& report, const ViewState& state, cons
     json passes = json::array();
     for (const host::PassReport& pass : report.work) passes.push_back(pass.name);
     const Material& material = state.material();
+    const ImGuiIO& io = ImGui::GetIO();
     const json line = {
         {"frame", report.frame},
         {"seconds", report.seconds},
@@ -38,7 +39,9 @@ std::string as_json_line(const FrameReport& report, const ViewState& state, cons
         {"rotation", state.rotation},
         {"exposure", state.exposure},
         {"panel", state.panel},
-        {"typing", ImGui::GetIO().WantTextInput},
+        {"mouse", {io.MousePos.x, io.MousePos.y}},
+        {"pressed", io.MouseDown[ImGuiMouseButton_Left]},
+        {"typing", io.WantTextInput},
         {"help", state.help},
         {"reference", status.reference_done ? json(*status.reference_done) : json()},
         {"pick", status.pick ? json{{"x", status.pick->x},

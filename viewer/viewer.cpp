@@ -83,19 +83,19 @@ void Viewer::tell(const std::string& message, bool is_bad) {
 }
 
 void Viewer::wait() {
-    const bool moves = renderer_->stage().is_busy() || state_.turning != 0.0f;
+    double seconds = loader_.is_busy() ? LOADING_FRAME : -1.0;
     if (minimised_) {
-        window_.wait(-1.0);
-    } else if (moves && !stuck_) {
-        window_.wait(std::clamp(FASTEST_FRAME - seconds_since(last_frame_), 0.0, FASTEST_FRAME));
+        seconds = -1.0;
+    } else if (!stuck_ && (renderer_->stage().is_busy() || state_.turning != 0.0f)) {
+        seconds = std::clamp(FASTEST_FRAME - seconds_since(last_frame_), 0.0, FASTEST_FRAME);
     } else if (redraw_ > 0) {
-        window_.wait(0.0);
+        seconds = 0.0;
         --redraw_;
-    } else {
-        window_.wait(loader_.is_busy() ? LOADING_FRAME : -1.0);
-        redraw_ = FRAMES_AFTER_AN_EVENT;
-        stuck_ = false;
     }
+    window_.wait(seconds);
+    if (!window_.take_stir()) return;
+    redraw_ = FRAMES_AFTER_AN_EVENT;
+    stuck_ = false;
 }
 
 void Viewer::open(const std::string& path) {

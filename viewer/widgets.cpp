@@ -92,7 +92,8 @@ bool Widgets::combo(const char* name, int& chosen, int count, const char* (*text
             ImGui::PushID(i);
             if (ImGui::Selectable(text(texts, i), i == before)) chosen = i;
             ImGui::PopID();
-            mark(std::string(name) + "." + text(texts, i));
+            // Before it has come to rest the list is not where it will be.
+            if (!ImGui::IsWindowAppearing()) mark(std::string(name) + "." + text(texts, i));
             if (i == before) ImGui::SetItemDefaultFocus();
         }
         ImGui::EndCombo();

@@ -43,16 +43,36 @@ Outcome<Window> Window::create(const std::string& title, VkExtent2D size) {
     auto state = std::make_unique<State>();
     state->handle.reset(handle);
     glfwSetWindowUserPointer(handle, state.get());
-    glfwSetDropCallback(handle, [](GLFWwindow* window, int count, const char** paths) {
-        auto& dropped = static_cast<State*>(glfwGetWindowUserPointer(window))->dropped;
+    watch(handle);
+    return Window(std::move(state));
+}
+
+Window::State& Window::state_of(GLFWwindow* window) {
+    State& state = *static_cast<State*>(glfwGetWindowUserPointer(window));
+    state.stirred = true;
+    return state;
+}
+
+// Gui's callbacks call these too, which were there before them.
+void Window::watch(GLFWwindow* window) {
+    glfwSetDropCallback(window, [](GLFWwindow* at, int count, const char** paths) {
+        auto& dropped = state_of(at).dropped;
         dropped.insert(dropped.end(), paths, paths + count);
     });
-    // Gui's callbacks call this one too, which was there before them.
-    glfwSetKeyCallback(handle, [](GLFWwindow* window, int key, int, int action, int modifiers) {
-        if (action == GLFW_PRESS && key >= 0)
-            static_cast<State*>(glfwGetWindowUserPointer(window))->keys.push_back({key, modifiers});
+    glfwSetKeyCallback(window, [](GLFWwindow* at, int key, int, int action, int modifiers) {
+        State& state = state_of(at);
+        if (action == GLFW_PRESS && key >= 0) state.keys.push_back({key, modifiers});
     });
-    return Window(std::move(state));
+    glfwSetCharCallback(window, [](GLFWwindow* at, unsigned) { state_of(at); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* at, int, int, int) { state_of(at); });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* at, double, double) { state_of(at); });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* at, int) { state_of(at); });
+    glfwSetScrollCallback(window, [](GLFWwindow* at, double, double) { state_of(at); });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* at, int) { state_of(at); });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* at) { state_of(at); });
+    glfwSetWindowIconifyCallback(window, [](GLFWwindow* at, int) { state_of(at); });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* at, int, int) { state_of(at); });
+    glfwSetWindowContentScaleCallback(window, [](GLFWwindow* at, float, float) { state_of(at); });
 }
 
 host::Presentation Window::presentation() const {

@@ -37,6 +37,8 @@ public:
     /// Ends wait(). Any thread may.
     static void wake();
 
+    /// Whether the person or the system did anything since the last call.
+    bool take_stir() { return std::exchange(state_->stirred, false); }
     /// Files that were dropped onto the window since the last call.
     std::vector<std::string> take_dropped() { return std::exchange(state_->dropped, {}); }
     /// Keys that went down since the last call, also those that are up again.
@@ -50,7 +52,10 @@ private:
         std::unique_ptr<GLFWwindow, Destroy> handle;
         std::vector<std::string> dropped;
         std::vector<KeyPress> keys;
+        bool stirred = false;
     };
+    static State& state_of(GLFWwindow* window);
+    static void watch(GLFWwindow* window);
     explicit Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
     std::unique_ptr<State> state_; // stays where it is: the system's callbacks refer to it

@@ -188,27 +188,32 @@ std::array<int, 2> ViewerSession::place_of(const std::string& control, float acr
     return {int(place[0] + across * place[2]), int(place[1] + 0.5f * place[3])};
 }
 
+// Each step is seen by the program before the next: a person's hand is slower than a frame.
 void ViewerSession::move_to(std::array<int, 2> place) {
     desktop_.run({"xdotool", "mousemove", "--window", window(), std::to_string(place[0]),
                   std::to_string(place[1])});
+    wait_for("the mouse there", [&](const Json& frame) {
+        return frame["mouse"][0] == double(place[0]) && frame["mouse"][1] == double(place[1]);
+    });
+}
+
+void ViewerSession::press(bool down) {
+    desktop_.run({"xdotool", down ? "mousedown" : "mouseup", "1"});
+    wait_for("the button", [&](const Json& frame) { return frame["pressed"] == down; });
 }
 
 void ViewerSession::press_and_move(std::array<int, 2> from, std::array<int, 2> to, int steps) {
     move_to(from);
-    std::this_thread::sleep_for(50ms);
-    desktop_.run({"xdotool", "mousedown", "1"});
-    std::this_thread::sleep_for(50ms);
-    for (int i = 1; i <= steps; ++i) {
+    press(true);
+    for (int i = 1; i <= steps; ++i)
         move_to({from[0] + (to[0] - from[0]) * i / steps, from[1] + (to[1] - from[1]) * i / steps});
-        std::this_thread::sleep_for(20ms);
-    }
-    std::this_thread::sleep_for(50ms);
-    desktop_.run({"xdotool", "mouseup", "1"});
+    press(false);
 }
 
 void ViewerSession::click(const std::string& control) {
-    const auto place = place_of(control);
-    press_and_move(place, place, 1);
+    move_to(place_of(control));
+    press(true);
+    press(false);
 }
 
 void ViewerSession::key(const std::string& keys) {

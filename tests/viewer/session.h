@@ -73,6 +73,7 @@ public:
     const std::string& window(); // its number, for xdotool
     std::array<int, 2> place_of(const std::string& control, float across = 0.5f) const;
     void move_to(std::array<int, 2> place);
+    void press(bool down);
     void press_and_move(std::array<int, 2> from, std::array<int, 2> to, int steps);
     void click(const std::string& control);
     void key(const std::string& keys);
