@@ -1,14 +1,11 @@
 #pragma once
 
-#include <chrono>
-#include <list>
 #include <optional>
 
-#include <lobelia/host/progressive_reference.h>
-
+#include "blurred_background.h"
 #include "display.h"
-#include "drawing.h"
-#include "light.h"
+#include "method_picture.h"
+#include "reference_picture.h"
 #include "view_state.h"
 
 namespace lobelia::cli {
@@ -21,7 +18,9 @@ public:
 
     /// Shows this environment from now on.
     host::Outcome<Done> set_environment(host::GpuEnvironment environment);
-    const host::GpuEnvironment* environment() const { return environment_.get(); }
+    const host::GpuEnvironment* environment() const {
+        return lights_ ? &lights_->environment() : nullptr;
+    }
 
     /// Goes on towards what `state` says, in pictures of that size; adds what was run to `work`.
     host::Outcome<Done> update(const ViewState& state, VkExtent2D extent, FrameWork& work);
@@ -31,7 +30,7 @@ public:
     double maps_done() const { return maps_done_; }
     /// The same of the reference; nothing where none is asked for.
     std::optional<double> reference_done() const;
-    std::uint64_t bytes() const; // of the maps
+    std::uint64_t bytes() const { return lights_ ? lights_->bytes() : 0; } // of the maps
 
     bool has_pictures() const { return left_.picture() != nullptr; }
     DisplaySources display_sources(const ViewState& state) const;
@@ -46,38 +45,24 @@ public:
     host::Outcome<Probe> probe(const ViewState& state, std::uint32_t x, std::uint32_t y);
 
 private:
-    using Clock = std::chrono::steady_clock;
-    Stage(host::Gpu& gpu, LightPasses passes, OwnedRenderPass pass)
-        : gpu_(&gpu), passes_(std::move(passes)), pass_(std::move(pass)),
-          pipelines_(gpu, pass_.get()) {}
-    host::Outcome<Light*> light_for(const LightRequest& request, FrameWork& work,
-                                    Clock::time_point end);
-    host::Outcome<Done> draw_method(Drawing& drawing, Light*& shown, SphereMethod method,
-                                    const ViewState& state, const SphereView& view, FrameWork& work,
-                                    Clock::time_point end);
-    host::Outcome<Done> update_background(const ViewState& state, FrameWork& work);
-    host::Outcome<Done> update_reference(const ViewState& state, const SphereView& view,
-                                         FrameWork& work);
+    Stage(host::Gpu& gpu, OwnedRenderPass pass)
+        : gpu_(&gpu), passes_(gpu), pass_(std::move(pass)), pipelines_(gpu, pass_.get()) {}
+    PictureRequest request_for(const ViewState& state, VkExtent2D extent,
+                               SphereMethod method) const;
+    host::Outcome<Done> update_pictures(const ViewState& state, VkExtent2D extent, FrameWork& work);
     host::Outcome<Done> fit_unknown(VkExtent2D extent);
     const Picture& picture(const ViewState& state, bool right) const;
 
     host::Gpu* gpu_;
-    LightPasses passes_;
+    host::MapPasses passes_;
     OwnedRenderPass pass_;
     SpherePipelines pipelines_;
-    std::unique_ptr<host::GpuEnvironment> environment_;
-    std::optional<host::GpuImage> resized_; // its cube map, where prefilters do not read that
-    std::uint64_t version_ = 0;             // of the environment
-    std::list<Light> lights_;               // the latest first
-    Light *left_light_ = nullptr, *right_light_ = nullptr; // shown
-    std::optional<host::GpuImage> blurred_;
-    float blurred_by_ = -1.0f;
-    std::optional<host::ProgressiveReference> reference_;
-    std::optional<SphereView> reference_view_; // that it is of, or will be once that stays
-    Clock::time_point reference_asked_;
-    std::uint64_t reference_version_ = 0;
+    std::optional<Lights> lights_;
+    std::uint64_t environments_ = 0; // so far
+    BlurredBackground background_;
+    MethodPicture left_, right_;
+    ReferencePicture reference_;
     std::optional<host::GpuBuffer> unknown_; // what is known where there is no reference
-    Drawing left_, right_, exact_;
     bool busy_ = false;
     double maps_done_ = 1.0;
 };

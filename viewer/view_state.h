@@ -38,6 +38,10 @@ struct ViewState {
 
 constexpr float DEGREES_A_SECOND = 20.0f; // where it turns by itself
 
+inline bool is_black(const std::array<float, 3>& colour) {
+    return colour == std::array<float, 3>{};
+}
+
 /// What is drawn in a picture of that size: the lobes that are not shown made black.
 SphereView shown_view(const ViewState& state, VkExtent2D extent);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include <lobelia/host/scene_maps.h>
+
 #include "camera_rays.h"
 #include "host/checks.h"
 #include "host/text.h"

@@ -20,7 +20,4 @@ struct SpherePixel {
 /// the sphere pass uses there, computed in double precision.
 std::vector<SpherePixel> sphere_pixels(const SphereView& view);
 
-/// Whether the sphere may cover some of the picture. False only where it certainly does not.
-bool sees_sphere(const SphereView& view);
-
 } // namespace lobelia::host

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <lobelia/host/work.h>
+#include <lobelia/irradiance.h>
 
 namespace lobelia::host {
 
-/// The diffuse light's coefficients (lobelia/irradiance.h), in a uniform buffer.
-struct IrradianceCoefficients {
-    GpuBuffer buffer;
-    WorkReport report;
+/// The diffuse light's coefficients (lobelia/irradiance.h) that are ready to be made, in a uniform
+/// buffer.
+struct CoefficientsToMake {
+    GpuBuffer scratch, buffer;
+    IrradianceJob job;
 };
-Outcome<IrradianceCoefficients> make_irradiance(Gpu& gpu, const GpuEnvironment& environment);
+Outcome<CoefficientsToMake> bind_coefficients(Gpu& gpu, const Irradiance& irradiance,
+                                              const CubeMap& source);
 
 } // namespace lobelia::host

@@ -4,8 +4,6 @@
 #include <bit>
 #include <cstring>
 
-#include <lobelia/clipped_tables.h>
-
 #include "host/averages.h"
 #include "host/resize.h"
 #include "host/text.h"
@@ -93,36 +91,49 @@ Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, Prefilte
 Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, const PrefilterPlan& plan) {
     auto resized = resized_cube(gpu, environment);
     if (!resized) return resized.error();
-    const GpuImage& source = *resized ? **resized : environment.cube;
     const auto prefilter = Prefilter::create(gpu.device());
     if (!prefilter) return core_failure(prefilter.error());
+    auto job = bind_maps(gpu, *prefilter, *resized ? **resized : environment.cube, plan);
+    if (job) job->resized = std::move(*resized);
+    return job;
+}
 
+Outcome<MapsJob> bind_maps(Gpu& gpu, const Prefilter& prefilter, const GpuImage& source,
+                           const PrefilterPlan& plan, const MapsJob* levels_of) {
     auto images = make_images(gpu, plan.maps());
     if (!images) return images.error();
     auto ladder = make_ladder_image(gpu, plan);
     if (!ladder) return ladder.error();
-    auto scratch = gpu.create_buffer(plan.scratch_size(),
-                                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                         VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
-                                     Memory::device);
-    if (!scratch) return scratch.error();
-    auto state = gpu.create_buffer(
-        plan.state_size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-        Memory::host);
+    auto scratch = levels_of ? levels_of->scratch : nullptr;
+    if (!scratch) {
+        auto made = gpu.create_buffer(plan.scratch_size(),
+                                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                          VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
+                                      Memory::device);
+        if (!made) return made.error();
+        scratch = std::make_shared<const GpuBuffer>(std::move(*made));
+    }
+    auto state =
+        gpu.create_buffer(plan.state_size(),
+                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
+                              VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                          Memory::host);
     if (!state) return state.error();
+    // A copy of its own: the other job's maps may be shown meanwhile.
+    if (levels_of)
+        std::memcpy(state->data(), levels_of->maps.state.data(), std::size_t(plan.state_size()));
 
     std::vector<CubeMap> lent;
     for (const GpuImage& image : *images) lent.push_back(lend_cube(image));
-    auto job = prefilter->bind(plan, lend_cube(source), lent, scratch->handle(), state->handle(),
-                               *ladder ? (*ladder)->handle() : VK_NULL_HANDLE);
+    auto job = prefilter.bind(plan, lend_cube(source), lent, scratch->handle(), state->handle(),
+                              *ladder ? (*ladder)->handle() : VK_NULL_HANDLE);
     if (!job) return core_failure(job.error());
     PrefilteredMaps maps{{plan.maps().begin(), plan.maps().end()},
                          std::move(*images),
                          std::move(*ladder),
                          std::move(*state),
                          {}};
-    return MapsJob{plan, std::move(*resized), std::move(*scratch), std::move(*job),
-                   std::move(maps)};
+    return MapsJob{plan, std::nullopt, std::move(scratch), std::move(*job), std::move(maps)};
 }
 
 Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
@@ -133,10 +144,14 @@ Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
     const auto done = run(gpu, bound->plan, bound->job, progress, maps.report);
     if (!done) return done.error();
     maps.report.images = map_reports(plan);
+    maps.report.suns = sun_count(maps);
+    return std::move(maps);
+}
+
+std::uint32_t sun_count(const PrefilteredMaps& maps) {
     std::uint32_t suns = 0;
     std::memcpy(&suns, maps.state.data() + SUN_COUNT_OFFSET, sizeof suns);
-    maps.report.suns = suns;
-    return std::move(maps);
+    return suns;
 }
 
 std::vector<ImageReport> map_reports(const PrefilterPlan& plan) {
@@ -161,8 +176,8 @@ std::vector<ImageReport> map_reports(const PrefilterPlan& plan) {
     return reports;
 }
 
-Outcome<GpuImage> make_clipped_tables(Gpu& gpu, PassReport& run) {
-    const auto tables = ClippedTables::create(gpu.device());
+Outcome<ClippedTablesUpload> ClippedTablesUpload::create(Gpu& gpu) {
+    auto tables = ClippedTables::create(gpu.device());
     if (!tables) return core_failure(tables.error());
     auto image =
         gpu.create_image({.format = ClippedTables::FORMAT,
@@ -171,15 +186,20 @@ Outcome<GpuImage> make_clipped_tables(Gpu& gpu, PassReport& run) {
                           .layers = ClippedTables::LAYERS,
                           .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     if (!image) return image.error();
-    const auto buffer = gpu.create_buffer(
+    auto buffer = gpu.create_buffer(
         ClippedTables::BUFFER_BYTES,
         VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT, Memory::device);
     if (!buffer) return buffer.error();
-    const auto done = run_pass(gpu, run, [&](VkCommandBuffer commands) {
-        tables->record(commands, buffer->handle(), image->handle());
-    });
+    return ClippedTablesUpload{std::move(*tables), std::move(*image), std::move(*buffer)};
+}
+
+Outcome<GpuImage> make_clipped_tables(Gpu& gpu, PassReport& run) {
+    auto upload = ClippedTablesUpload::create(gpu);
+    if (!upload) return upload.error();
+    const auto done =
+        run_pass(gpu, run, [&](VkCommandBuffer commands) { upload->record(commands); });
     if (!done) return done.error();
-    return image;
+    return std::move(upload->image);
 }
 
 } // namespace lobelia::host

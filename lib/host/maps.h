@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+
+#include <lobelia/clipped_tables.h>
 #include <lobelia/host/work.h>
 #include <lobelia/map_reader.h>
 #include <lobelia/prefilter.h>
@@ -20,12 +23,14 @@ struct PrefilteredMaps {
     GpuBuffer state;
     WorkReport report;
 };
+/// Suns that were taken out of the maps, once they are made.
+std::uint32_t sun_count(const PrefilteredMaps& maps);
 
 /// Maps that are ready to be made, any number of times, by recording all passes of `plan`.
 struct MapsJob {
     PrefilterPlan plan;
     std::optional<GpuImage> resized; // the source, where the environment's cube is none
-    GpuBuffer scratch;
+    std::shared_ptr<const GpuBuffer> scratch;
     PrefilterJob job;
     PrefilteredMaps maps;
 };
@@ -33,6 +38,10 @@ struct MapsJob {
 Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, PrefilterRequest request);
 /// The plan's source size is prefilter_face() of the environment's.
 Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, const PrefilterPlan& plan);
+/// From a source of the plan's size. With `levels_of`, a job of the same source whose plan shares
+/// levels and whose passes have made them, the passes from first_map_pass() on are enough.
+Outcome<MapsJob> bind_maps(Gpu& gpu, const Prefilter& prefilter, const GpuImage& source,
+                           const PrefilterPlan& plan, const MapsJob* levels_of = nullptr);
 
 /// Runs the prefilter on the environment's cube map, pass by pass.
 Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
@@ -41,8 +50,19 @@ Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
 /// What a report says of the plan's maps.
 std::vector<ImageReport> map_reports(const PrefilterPlan& plan);
 
-/// The tables of ClippedTables, on the device: one image for every environment and material. Adds
-/// the times of the upload to `run`.
+/// The tables of ClippedTables, on their way to the device: one image for every environment and
+/// material.
+struct ClippedTablesUpload {
+    ClippedTables tables;
+    GpuImage image;
+    GpuBuffer buffer;
+
+    static Outcome<ClippedTablesUpload> create(Gpu& gpu);
+    void record(VkCommandBuffer commands) const {
+        tables.record(commands, buffer.handle(), image.handle());
+    }
+};
+/// The image alone. Adds the times of the upload to `run`.
 Outcome<GpuImage> make_clipped_tables(Gpu& gpu, PassReport& run);
 
 /// What a report says of reading a map of that many bytes at `count` directions.

@@ -41,11 +41,8 @@ WorkReport mips_report(const Gpu& gpu, std::uint32_t face, std::uint32_t last_fa
             .images = {{"mips", face, face, 6, levels, format_name(format), bytes, "scratch"}}};
 }
 
-Outcome<EnvironmentMips> make_mips(Gpu& gpu, const GpuEnvironment& environment,
-                                   std::uint32_t last_face, MipWeights weights) {
-    const auto resized = resized_cube(gpu, environment);
-    if (!resized) return resized.error();
-    const GpuImage& source = *resized ? **resized : environment.cube;
+Outcome<MipsToMake> bind_mips(Gpu& gpu, const Mips& mips, const GpuImage& source,
+                              std::uint32_t last_face, MipWeights weights) {
     const std::uint32_t size = source.description().width;
     auto image = gpu.create_image({.format = mips_format(gpu),
                                    .width = size,
@@ -55,14 +52,24 @@ Outcome<EnvironmentMips> make_mips(Gpu& gpu, const GpuEnvironment& environment,
                                    .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT,
                                    .cube = true});
     if (!image) return image.error();
+    auto job = mips.bind(lend_cube(source), lend_cube(*image), weights);
+    if (!job) return core_failure(job.error());
+    return MipsToMake{std::move(*image), std::move(*job)};
+}
+
+Outcome<EnvironmentMips> make_mips(Gpu& gpu, const GpuEnvironment& environment,
+                                   std::uint32_t last_face, MipWeights weights) {
+    const auto resized = resized_cube(gpu, environment);
+    if (!resized) return resized.error();
+    const GpuImage& source = *resized ? **resized : environment.cube;
     const auto mips = Mips::create(gpu.device());
     if (!mips) return core_failure(mips.error());
-    const auto job = mips->bind(lend_cube(source), lend_cube(*image), weights);
-    if (!job) return core_failure(job.error());
-
-    EnvironmentMips made{std::move(*image), mips_report(gpu, size, last_face)};
+    auto bound = bind_mips(gpu, *mips, source, last_face, weights);
+    if (!bound) return bound.error();
+    EnvironmentMips made{std::move(bound->image),
+                         mips_report(gpu, source.description().width, last_face)};
     const auto done = run_pass(gpu, made.report.passes.front(),
-                               [&](VkCommandBuffer commands) { job->record(commands); });
+                               [&](VkCommandBuffer commands) { bound->job.record(commands); });
     if (!done) return done.error();
     return made;
 }

@@ -19,8 +19,16 @@ VkFormat mips_format(const Gpu& gpu);
 /// read.
 WorkReport mips_report(const Gpu& gpu, std::uint32_t face, std::uint32_t last_face);
 
-/// Levels down to faces of `last_face` texels, a power of two; of a cube map that is no larger,
-/// level 0 alone.
+/// Mips that are ready to be made.
+struct MipsToMake {
+    GpuImage image;
+    MipsJob job;
+};
+/// Of a cube map in a size that prefilters read. Levels down to faces of `last_face` texels, a
+/// power of two; of a cube map that is no larger, level 0 alone.
+Outcome<MipsToMake> bind_mips(Gpu& gpu, const Mips& mips, const GpuImage& source,
+                              std::uint32_t last_face, MipWeights weights);
+
 Outcome<EnvironmentMips> make_mips(Gpu& gpu, const GpuEnvironment& environment,
                                    std::uint32_t last_face, MipWeights weights);
 

@@ -18,7 +18,7 @@ Outcome<Done> check_render(const Gpu& gpu, const RenderSettings& settings) {
 }
 
 Outcome<ScenePlan> plan_scene(const Gpu& gpu, std::uint32_t face, bool constant,
-                              const RenderSettings& settings) {
+                              const RenderSettings& settings, float levels_up_to) {
     const Material& material = settings.view.material;
     const SceneMaterial shown{material.diffuse, material.specular, material.exponent,
                               material.exponent};
@@ -33,7 +33,8 @@ Outcome<ScenePlan> plan_scene(const Gpu& gpu, std::uint32_t face, bool constant,
                                        .background_size = face,
                                        .mips_format = mips_format(gpu),
                                        .width = settings.view.width,
-                                       .height = settings.view.height});
+                                       .height = settings.view.height,
+                                       .levels_up_to = levels_up_to});
     if (!plan) return core_failure(plan.error());
     return *plan;
 }

@@ -2,18 +2,12 @@
 
 #include <string_view>
 
-#include <lobelia/host/work.h>
-#include <lobelia/scene.h>
+#include <lobelia/host/scene_maps.h>
 
 namespace lobelia::host {
 
 /// Why render() refuses these settings, or nothing.
 Outcome<Done> check_render(const Gpu& gpu, const RenderSettings& settings);
-
-/// What render() records for valid settings once an environment with faces of `face` texels is on
-/// the device; `constant` where all its texels are known to be equal.
-Outcome<ScenePlan> plan_scene(const Gpu& gpu, std::uint32_t face, bool constant,
-                              const RenderSettings& settings);
 
 /// The plan's pass of that name, or null.
 const ScenePass* find_pass(const ScenePlan& plan, std::string_view name);

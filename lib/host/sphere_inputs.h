@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/reference.h"
 #include "host/scene_plan.h"
 
 namespace lobelia::host {
@@ -9,10 +10,12 @@ namespace lobelia::host {
 /// the exponent stays.
 struct SphereInputs {
     ScenePlan plan;
+    MapPasses passes;
+    std::optional<GpuImage> resized; // as resized_cube()
+    SceneMaps maps;
+    ReferenceBuffers references{};
     SphereShading shading{}; // the plan's, without suns where none were found
     SphereSources sources{};
-    std::vector<GpuImage> images{};
-    std::vector<GpuBuffer> buffers{};
     std::uint64_t bytes = 0; // of what the pass reads
     WorkReport report{};
 };

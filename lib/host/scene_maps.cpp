@@ -1,0 +1,216 @@
+#include <lobelia/host/scene_maps.h>
+
+#include "host/averages.h"
+#include "host/guard.h"
+#include "host/irradiance.h"
+#include "host/maps.h"
+#include "host/mips.h"
+#include "host/scene_plan.h"
+
+namespace lobelia::host {
+
+struct MapPasses::State {
+    Gpu& gpu;
+    std::optional<Prefilter> prefilter{};
+    std::optional<Irradiance> irradiance{};
+    std::optional<Mips> mips{};
+    std::optional<ClippedTablesUpload> tables{};
+    bool tables_are_there = false;
+};
+
+MapPasses::MapPasses(Gpu& gpu) : state_(new State{gpu}) {}
+MapPasses::MapPasses(MapPasses&&) noexcept = default;
+MapPasses& MapPasses::operator=(MapPasses&&) noexcept = default;
+MapPasses::~MapPasses() = default;
+
+struct SceneMaps::State {
+    MapPasses::State& passes;
+    ScenePlan plan;
+    SphereSources sources{};
+    std::optional<MapsJob> job{};          // until its levels are of no more use
+    std::optional<PrefilteredMaps> maps{}; // from then on
+    std::vector<GpuImage> images{};
+    std::vector<GpuBuffer> buffers{};
+    std::vector<PassReport> reports{}; // of the passes to run, each with what it records
+    std::vector<std::function<void(VkCommandBuffer)>> records{};
+    std::size_t next = 0;
+    std::size_t level_passes = 0; // once that many have run there are levels to share
+
+    Outcome<Done> bind(const GpuEnvironment& environment, const GpuImage& source,
+                       const State* before);
+    Outcome<PassReport> run_next();
+    const PrefilteredMaps* prefiltered() const {
+        return maps ? &*maps : job ? &job->maps : nullptr;
+    }
+
+private:
+    Outcome<Done> bind_prefilter(const GpuImage& source, const State* before);
+    Outcome<Done> bind_tables();
+    Outcome<Done> bind_irradiance(const GpuImage& cube);
+    Outcome<VkImageView> bind_mips(const GpuImage& source, std::uint32_t last_face,
+                                   MipWeights weights);
+    void add(const PassReport& report, std::function<void(VkCommandBuffer)> record) {
+        reports.push_back(report);
+        records.push_back(std::move(record));
+    }
+};
+
+namespace {
+
+template <class Pass>
+Outcome<const Pass*> compiled(Gpu& gpu, std::optional<Pass>& pass) {
+    if (!pass) {
+        auto made = Pass::create(gpu.device());
+        if (!made) return core_failure(made.error());
+        pass = std::move(*made);
+    }
+    return &*pass;
+}
+
+} // namespace
+
+Outcome<Done> SceneMaps::State::bind(const GpuEnvironment& environment, const GpuImage& source,
+                                     const State* before) {
+    sources.background = environment.cube.view();
+    if (environment.constant) sources.diffuse = sources.specular = sources.background;
+    if (find_pass(plan, "irradiance"))
+        if (const auto bound = bind_irradiance(environment.cube); !bound) return bound;
+    if (plan.prefilter())
+        if (const auto bound = bind_prefilter(source, before); !bound) return bound;
+    if (plan.clipped_tables())
+        if (const auto bound = bind_tables(); !bound) return bound;
+    if (!find_pass(plan, "mips")) return Done{};
+    const bool kurt2019 = plan.shading().method == SphereMethod::kurt2019;
+    const auto view = kurt2019 ? bind_mips(source, ScenePlan::KURT2019_FACE, MipWeights::equal)
+                               : bind_mips(source, 1, MipWeights::solid_angle);
+    if (!view) return view.error();
+    (kurt2019 ? sources.blurred : sources.mips) = *view;
+    return Done{};
+}
+
+Outcome<Done> SceneMaps::State::bind_prefilter(const GpuImage& source, const State* before) {
+    const PrefilterPlan& wanted = *plan.prefilter();
+    const auto prefilter = compiled(passes.gpu, passes.prefilter);
+    if (!prefilter) return prefilter.error();
+    const bool from_levels = before && before->job && before->next >= before->level_passes &&
+                             wanted.shares_levels(before->job->plan);
+    auto bound =
+        bind_maps(passes.gpu, **prefilter, source, wanted, from_levels ? &*before->job : nullptr);
+    if (!bound) return bound.error();
+    job = std::move(*bound);
+
+    sources.prefilter_state = job->maps.state.handle();
+    const bool has_lambert = plan.shading().diffuse && !sources.irradiance;
+    for (std::size_t i = 0; i < job->maps.images.size(); ++i) {
+        const bool diffuse = has_lambert && i + 1 == job->maps.images.size();
+        (diffuse ? sources.diffuse : sources.specular) = job->maps.images[i].view();
+    }
+    if (job->maps.ladder) sources.ladder = job->maps.ladder->view();
+    const std::uint32_t first = from_levels ? wanted.first_map_pass() : 0;
+    level_passes = records.size() + wanted.first_map_pass() - first;
+    for (std::uint32_t i = first; i < wanted.pass_count(); ++i) {
+        const PrefilterPass pass = wanted.pass(i);
+        add({.name = pass.name,
+             .invocations = pass.invocations,
+             .bytes_read = pass.bytes_read,
+             .bytes_written = pass.bytes_written},
+            [this, i](VkCommandBuffer commands) { job->job.record(commands, i, 1); });
+    }
+    return Done{};
+}
+
+Outcome<Done> SceneMaps::State::bind_tables() {
+    if (!passes.tables) {
+        auto upload = ClippedTablesUpload::create(passes.gpu);
+        if (!upload) return upload.error();
+        passes.tables = std::move(*upload);
+    }
+    sources.clipped_tables = passes.tables->image.view();
+    if (!passes.tables_are_there)
+        add(report_of(*find_pass(plan, "clipped tables")), [this](VkCommandBuffer commands) {
+            passes.tables->record(commands);
+            passes.tables_are_there = true;
+        });
+    return Done{};
+}
+
+Outcome<Done> SceneMaps::State::bind_irradiance(const GpuImage& cube) {
+    const auto irradiance = compiled(passes.gpu, passes.irradiance);
+    if (!irradiance) return irradiance.error();
+    auto bound = bind_coefficients(passes.gpu, **irradiance, lend_cube(cube));
+    if (!bound) return bound.error();
+    sources.irradiance = bound->buffer.handle();
+    add(report_of(*find_pass(plan, "irradiance")),
+        [made = bound->job](VkCommandBuffer commands) { made.record(commands); });
+    buffers.push_back(std::move(bound->scratch));
+    buffers.push_back(std::move(bound->buffer));
+    return Done{};
+}
+
+Outcome<VkImageView> SceneMaps::State::bind_mips(const GpuImage& source, std::uint32_t last_face,
+                                                 MipWeights weights) {
+    const auto mips = compiled(passes.gpu, passes.mips);
+    if (!mips) return mips.error();
+    auto bound = host::bind_mips(passes.gpu, **mips, source, last_face, weights);
+    if (!bound) return bound.error();
+    add(report_of(*find_pass(plan, "mips")),
+        [made = bound->job](VkCommandBuffer commands) { made.record(commands); });
+    images.push_back(std::move(bound->image));
+    return images.back().view();
+}
+
+Outcome<PassReport> SceneMaps::State::run_next() {
+    PassReport report = reports[next];
+    if (const auto done = host::run_pass(passes.gpu, report, records[next]); !done)
+        return done.error();
+    ++next;
+    if (next == records.size() && job && !job->plan.shares_levels(job->plan)) {
+        maps = std::move(job->maps); // without the levels
+        job.reset();
+    }
+    return report;
+}
+
+Outcome<SceneMaps> SceneMaps::create(MapPasses& passes, const GpuEnvironment& environment,
+                                     const GpuImage& source, const ScenePlan& plan,
+                                     const SceneMaps* before) {
+    return guarded([&]() -> Outcome<SceneMaps> {
+        auto state = std::make_unique<State>(State{passes.state(), plan});
+        const auto bound =
+            state->bind(environment, source, before ? before->state_.get() : nullptr);
+        if (!bound) return bound.error();
+        return SceneMaps(std::move(state));
+    });
+}
+
+SceneMaps::SceneMaps(std::unique_ptr<State> state) : state_(std::move(state)) {}
+SceneMaps::SceneMaps(SceneMaps&&) noexcept = default;
+SceneMaps& SceneMaps::operator=(SceneMaps&&) noexcept = default;
+SceneMaps::~SceneMaps() = default;
+
+const ScenePlan& SceneMaps::plan() const {
+    return state_->plan;
+}
+std::size_t SceneMaps::pass_count() const {
+    return state_->records.size();
+}
+std::size_t SceneMaps::passes_left() const {
+    return state_->records.size() - state_->next;
+}
+Outcome<PassReport> SceneMaps::run_pass() {
+    return guarded([&] { return state_->run_next(); });
+}
+const SphereSources& SceneMaps::sources() const {
+    return state_->sources;
+}
+SphereShading SceneMaps::shading(const ScenePlan& plan) const {
+    SphereShading shading = plan.shading();
+    if (plan.clipped_tables()) shading.suns = suns() > 0u;
+    return shading;
+}
+std::optional<std::uint32_t> SceneMaps::suns() const {
+    const PrefilteredMaps* const maps = state_->prefiltered();
+    return maps ? std::optional(sun_count(*maps)) : std::nullopt;
+}
+
+} // namespace lobelia::host

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <chrono>
+#include <list>
+
+#include <lobelia/host/scene_maps.h>
+
+#include "drawing.h"
+
+namespace lobelia::cli {
+
+/// What pictures read of one environment: maps, pass by pass, for each plan that was asked for
+/// lately. Maps of several plans are made from the same levels where they can be.
+class Lights {
+public:
+    struct Light {
+        host::SceneMaps maps;
+        SphereMethod method; // that they were asked for by
+        float exponent;      // likewise
+    };
+
+    static host::Outcome<Lights> create(host::Gpu& gpu, host::MapPasses& passes,
+                                        host::GpuEnvironment environment);
+    const host::GpuEnvironment& environment() const { return *environment_; }
+
+    /// Goes on until `end`, by a pass at least, towards maps for that plan, and adds what was run
+    /// to `work`. What was begun for another plan is ended first, and is what is given then.
+    host::Outcome<Light*> advance(const ScenePlan& plan, SphereMethod method, float exponent,
+                                  FrameWork& work, std::chrono::steady_clock::time_point end);
+    /// Whether this light is all that the plan wants.
+    static bool serves(const Light& light, const ScenePlan& plan);
+    /// Lets go of the oldest that are not shown.
+    void trim(const Light* left, const Light* right);
+    std::uint64_t bytes() const;
+
+private:
+    Lights(host::MapPasses& passes, host::GpuEnvironment environment,
+           std::optional<host::GpuImage> resized)
+        : passes_(&passes),
+          environment_(std::make_unique<host::GpuEnvironment>(std::move(environment))),
+          resized_(std::move(resized)) {}
+    host::Outcome<Light*> begin(const ScenePlan& plan, SphereMethod method, float exponent);
+
+    host::MapPasses* passes_;
+    std::unique_ptr<host::GpuEnvironment> environment_;
+    std::optional<host::GpuImage> resized_; // its cube map, where prefilters do not read that
+    std::list<Light> lights_;               // the latest first
+};
+
+} // namespace lobelia::cli
