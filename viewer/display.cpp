@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "display_pipeline.h"
 #include "vulkan_failure.h"
 
 namespace lobelia::cli {
@@ -9,13 +10,6 @@ namespace lobelia::cli {
 using host::Outcome;
 
 namespace {
-
-constexpr std::uint32_t VERTEX_SPIRV[] = {
-#include "sphere.vert.inc"
-};
-constexpr std::uint32_t FRAGMENT_SPIRV[] = {
-#include "display.frag.inc"
-};
 
 constexpr VkDescriptorType BINDINGS[] = {
     VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, // first picture
@@ -25,28 +19,12 @@ constexpr VkDescriptorType BINDINGS[] = {
 };
 constexpr std::uint32_t BINDING_COUNT = std::uint32_t(std::size(BINDINGS));
 
-Outcome<OwnedShader> make_shader(VkDevice device, const std::uint32_t* words, std::size_t bytes) {
-    const VkShaderModuleCreateInfo info{
-        .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, .codeSize = bytes, .pCode = words};
-    VkShaderModule handle = VK_NULL_HANDLE;
-    const VkResult code = vkCreateShaderModule(device, &info, nullptr, &handle);
-    if (code != VK_SUCCESS) return vulkan_failure("create a shader", code);
-    return OwnedShader(device, handle);
-}
-
-VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits bit, const OwnedShader& shader) {
-    return {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-            .stage = bit,
-            .module = shader.get(),
-            .pName = "main"};
-}
-
 } // namespace
 
 Outcome<Display> Display::create(VkDevice device, VkRenderPass pass) {
-    Display display(device);
+    Display display(device, pass);
     if (const auto made = display.make_set(); !made) return made.error();
-    if (const auto made = display.make_pipeline(pass); !made) return made.error();
+    if (const auto made = display.make_layout(); !made) return made.error();
     return display;
 }
 
@@ -90,73 +68,29 @@ Outcome<Done> Display::make_set() {
     return Done{};
 }
 
-Outcome<Done> Display::make_pipeline(VkRenderPass pass) {
+Outcome<Done> Display::make_layout() {
     const VkPushConstantRange range{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(DisplayParams)};
     const VkDescriptorSetLayout set_layout = set_layout_.get();
-    const VkPipelineLayoutCreateInfo layout_info{.sType =
-                                                     VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                                 .setLayoutCount = 1,
-                                                 .pSetLayouts = &set_layout,
-                                                 .pushConstantRangeCount = 1,
-                                                 .pPushConstantRanges = &range};
+    const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                          .setLayoutCount = 1,
+                                          .pSetLayouts = &set_layout,
+                                          .pushConstantRangeCount = 1,
+                                          .pPushConstantRanges = &range};
     VkPipelineLayout layout = VK_NULL_HANDLE;
-    VkResult code = vkCreatePipelineLayout(device_, &layout_info, nullptr, &layout);
+    const VkResult code = vkCreatePipelineLayout(device_, &info, nullptr, &layout);
     if (code != VK_SUCCESS) return vulkan_failure("create a pipeline layout", code);
     layout_ = {device_, layout};
-
-    const auto vertex = make_shader(device_, VERTEX_SPIRV, sizeof VERTEX_SPIRV);
-    if (!vertex) return vertex.error();
-    const auto fragment = make_shader(device_, FRAGMENT_SPIRV, sizeof FRAGMENT_SPIRV);
-    if (!fragment) return fragment.error();
-    const VkPipelineShaderStageCreateInfo stages[] = {
-        stage(VK_SHADER_STAGE_VERTEX_BIT, *vertex), stage(VK_SHADER_STAGE_FRAGMENT_BIT, *fragment)};
-    const VkPipelineVertexInputStateCreateInfo no_vertices{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-    const VkPipelineInputAssemblyStateCreateInfo triangles{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
-        .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
-    const VkPipelineViewportStateCreateInfo viewport{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
-        .viewportCount = 1,
-        .scissorCount = 1};
-    const VkPipelineRasterizationStateCreateInfo rasterization{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO, .lineWidth = 1.0f};
-    const VkPipelineMultisampleStateCreateInfo samples{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
-        .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
-    const VkPipelineColorBlendAttachmentState written{
-        .colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
-                          VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT};
-    const VkPipelineColorBlendStateCreateInfo blending{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
-        .attachmentCount = 1,
-        .pAttachments = &written};
-    const VkDynamicState states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
-    const VkPipelineDynamicStateCreateInfo dynamic{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
-        .dynamicStateCount = 2,
-        .pDynamicStates = states};
-    const VkGraphicsPipelineCreateInfo info{.sType =
-                                                VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
-                                            .stageCount = 2,
-                                            .pStages = stages,
-                                            .pVertexInputState = &no_vertices,
-                                            .pInputAssemblyState = &triangles,
-                                            .pViewportState = &viewport,
-                                            .pRasterizationState = &rasterization,
-                                            .pMultisampleState = &samples,
-                                            .pColorBlendState = &blending,
-                                            .pDynamicState = &dynamic,
-                                            .layout = layout,
-                                            .renderPass = pass};
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    code = vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
-    if (code != VK_SUCCESS) return vulkan_failure("create the display's pipeline", code);
-    pipeline_ = {device_, pipeline};
     return Done{};
 }
 
-void Display::bind(const DisplaySources& sources) {
+Outcome<Done> Display::bind(const DisplaySources& sources, const DisplayVariant& variant) {
+    auto found = pipelines_.find(variant);
+    if (found == pipelines_.end()) {
+        auto made = make_display_pipeline(device_, pass_, layout_.get(), variant);
+        if (!made) return made.error();
+        found = pipelines_.emplace(variant, std::move(*made)).first;
+    }
+    pipeline_ = found->second.get();
     const VkImageView views[] = {sources.first, sources.second, sources.reference};
     VkDescriptorImageInfo images[std::size(views)];
     VkWriteDescriptorSet writes[BINDING_COUNT];
@@ -173,13 +107,14 @@ void Display::bind(const DisplaySources& sources) {
     const VkDescriptorBufferInfo known{sources.known, 0, VK_WHOLE_SIZE};
     writes[BINDING_COUNT - 1].pBufferInfo = &known;
     vkUpdateDescriptorSets(device_, BINDING_COUNT, writes, 0, nullptr);
+    return Done{};
 }
 
 void Display::record(VkCommandBuffer commands, const DisplayParams& params,
                      VkExtent2D extent) const {
     const VkViewport viewport{0.0f, 0.0f, float(extent.width), float(extent.height), 0.0f, 1.0f};
     const VkRect2D scissor{{0, 0}, extent};
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 0, 1, &set_,
                             0, nullptr);
     vkCmdSetViewport(commands, 0, 1, &viewport);

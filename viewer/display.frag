@@ -3,14 +3,17 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
+layout(constant_id = 0) const uint SPLIT = 0;  // 1: a second picture, beside the first
+layout(constant_id = 1) const uint ERRORS = 0; // 1: false colour in place of the pictures
+// Bits 0 and 1: in place of the first, second picture the reference where known.
+layout(constant_id = 2) const uint EXACT = 0;
+layout(constant_id = 3) const uint ENCODE = 1; // 1: write sRGB values
+
 layout(push_constant) uniform Params {
-    float scale;      // of radiance, by the exposure
-    float divider;    // pixels from the left: the second picture begins there
-    uint errors;      // 1: show them
-    uint exact;       // bits 0 and 1: in place of the first, second picture the reference where known
-    float dark;       // radiance that errors of black count against
-    uint encode;      // 1: write sRGB values
-    uint width;       // of the pictures
+    float scale;   // of radiance, by the exposure
+    float divider; // pixels from the left: the second picture begins there
+    float dark;    // radiance that errors of black count against
+    uint width;    // of the pictures
 };
 
 layout(set = 0, binding = 0) uniform sampler2D first;
@@ -65,23 +68,26 @@ vec3 false_colour(float error) {
 
 void main() {
     ivec2 pixel = min(ivec2(gl_FragCoord.xy), textureSize(first, 0) - 1); // after a failed resize
-    bool on_left = gl_FragCoord.x < divider;
-    bool is_exact = (exact & (on_left ? 1u : 2u)) != 0u;
+    bool on_left = SPLIT == 0u || gl_FragCoord.x < divider;
+    bool is_exact = (EXACT & (on_left ? 1u : 2u)) != 0u;
     vec4 shown = on_left ? texelFetch(first, pixel, 0) : texelFetch(second, min(pixel, textureSize(second, 0) - 1), 0);
     ivec2 at = ivec2(-1);
     vec3 truth = vec3(0.0);
-    if (shown.a > 0.5 && (is_exact || errors != 0u)) at = known_pixel(pixel);
+    if ((EXACT | ERRORS) != 0u && shown.a > 0.5 && (is_exact || ERRORS != 0u)) at = known_pixel(pixel);
     if (at.x >= 0) truth = texelFetch(reference, at, 0).rgb;
     vec3 encoded;
-    if (errors == 0u) {
+    if (ERRORS == 0u) {
         if (is_exact && at.x >= 0) shown.rgb = truth;
-        encoded = srgb(tone_mapped(scale * shown.rgb));
-    } else if (at.x < 0) {
+        vec3 mapped = tone_mapped(scale * shown.rgb);
+        colour = vec4(ENCODE != 0u ? srgb(mapped) : mapped, 1.0);
+        return;
+    }
+    if (at.x < 0) {
         encoded = vec3(shown.a > 0.5 ? 0.16 : 0.09);
     } else {
         vec3 value = on_left ? texelFetch(first, at, 0).rgb : texelFetch(second, at, 0).rgb;
         vec3 error = is_exact ? vec3(0.0) : abs(value - truth) / (truth + dark);
         encoded = false_colour(max(error.r, max(error.g, error.b)));
     }
-    colour = vec4(encode != 0u ? encoded : linear_of(encoded), 1.0);
+    colour = vec4(ENCODE != 0u ? encoded : linear_of(encoded), 1.0);
 }

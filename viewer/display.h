@@ -1,19 +1,29 @@
 #pragma once
 
+#include <compare>
+#include <map>
+
 #include "owned.h"
 
 #include <lobelia/host/gpu.h>
 
 namespace lobelia::cli {
 
-/// How display.frag shows the pictures; its push constants.
+/// What display.frag is compiled for; its specialisation constants.
+struct DisplayVariant {
+    std::uint32_t split = 0;
+    std::uint32_t errors = 0;
+    std::uint32_t exact = 0;
+    std::uint32_t encode = 1;
+
+    auto operator<=>(const DisplayVariant&) const = default;
+};
+
+/// Its push constants.
 struct DisplayParams {
     float scale = 1.0f;
     float divider = 0.0f;
-    std::uint32_t errors = 0;
-    std::uint32_t exact = 0;
     float dark = 0.0f;
-    std::uint32_t encode = 1;
     std::uint32_t width = 0;
 };
 
@@ -28,25 +38,27 @@ struct DisplaySources {
 /// Draws pictures as a person sees them.
 class Display {
 public:
-    /// Into the colour attachment of `pass`.
+    /// Into the colour attachment of `pass`, which outlives this.
     static host::Outcome<Display> create(VkDevice device, VkRenderPass pass);
 
-    /// The last draw has ended.
-    void bind(const DisplaySources& sources);
+    /// For the next draw. The last one has ended.
+    host::Outcome<Done> bind(const DisplaySources& sources, const DisplayVariant& variant);
     void record(VkCommandBuffer commands, const DisplayParams& params, VkExtent2D extent) const;
 
 private:
-    explicit Display(VkDevice device) : device_(device) {}
+    Display(VkDevice device, VkRenderPass pass) : device_(device), pass_(pass) {}
     host::Outcome<Done> make_set();
-    host::Outcome<Done> make_pipeline(VkRenderPass pass);
+    host::Outcome<Done> make_layout();
 
     VkDevice device_;
+    VkRenderPass pass_;
     OwnedSampler sampler_;
     OwnedSetLayout set_layout_;
     OwnedPipelineLayout layout_;
     OwnedDescriptorPool pool_;
     VkDescriptorSet set_ = VK_NULL_HANDLE;
-    OwnedPipeline pipeline_;
+    std::map<DisplayVariant, OwnedPipeline> pipelines_; // compiled when first asked for
+    VkPipeline pipeline_ = VK_NULL_HANDLE;              // of the last bind()
 };
 
 } // namespace lobelia::cli

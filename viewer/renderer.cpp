@@ -53,12 +53,15 @@ Outcome<bool> Renderer::fit(VkExtent2D window) {
 
 Outcome<Done> Renderer::show(const ViewState& state) {
     const VkExtent2D extent = swapchain_->extent();
-    if (stage_->has_pictures()) display_->bind(stage_->display_sources(state));
+    if (stage_->has_pictures()) {
+        DisplayVariant variant = stage_->display_variant(state);
+        variant.encode = !swapchain_->encodes_srgb();
+        const auto bound = display_->bind(stage_->display_sources(state), variant);
+        if (!bound) return bound;
+    }
     return swapchain_->show([&](VkCommandBuffer commands) {
         if (stage_->has_pictures()) {
-            DisplayParams params = stage_->display_params(state, extent);
-            params.encode = !swapchain_->encodes_srgb();
-            display_->record(commands, params, extent);
+            display_->record(commands, stage_->display_params(state, extent), extent);
         } else {
             clear(commands, extent);
         }

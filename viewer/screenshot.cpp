@@ -30,7 +30,8 @@ Outcome<host::Image> seen_colours(host::Gpu& gpu, Stage& stage, const ViewState&
     if (!display) return display.error();
     const auto picture = Picture::create(gpu, pass->get(), extent);
     if (!picture) return picture.error();
-    display->bind(stage.display_sources(state));
+    const auto bound = display->bind(stage.display_sources(state), stage.display_variant(state));
+    if (!bound) return bound.error();
     const auto drawn = gpu.submit([&](VkCommandBuffer commands) {
         picture->record(commands, [&](VkCommandBuffer inside) {
             display->record(inside, stage.display_params(state, extent), extent);

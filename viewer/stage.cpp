@@ -116,6 +116,13 @@ DisplaySources Stage::display_sources(const ViewState& state) const {
             .known = reference ? reference->known() : unknown_->handle()};
 }
 
+DisplayVariant Stage::display_variant(const ViewState& state) const {
+    return {.split = state.split,
+            .errors = state.errors,
+            .exact = (state.settings.method == SphereMethod::reference ? 1u : 0u) |
+                     (state.split && state.other == SphereMethod::reference ? 2u : 0u)};
+}
+
 DisplayParams Stage::display_params(const ViewState& state, VkExtent2D extent) const {
     const Material material = shown_view(state, extent).material;
     float brightest = 0.0f;
@@ -124,10 +131,7 @@ DisplayParams Stage::display_params(const ViewState& state, VkExtent2D extent) c
     const host::ProgressiveReference* const reference = reference_.values();
     const float light = reference ? float(reference->mean_light()) : 0.0f;
     return {.scale = std::exp2(state.exposure),
-            .divider = state.split ? std::round(state.divider * float(extent.width)) : 1e9f,
-            .errors = state.errors,
-            .exact = (state.settings.method == SphereMethod::reference ? 1u : 0u) |
-                     (state.other == SphereMethod::reference ? 2u : 0u),
+            .divider = std::round(state.divider * float(extent.width)),
             .dark = std::max(DARK * light * brightest, 1e-30f),
             .width = left_.picture()->extent().width};
 }

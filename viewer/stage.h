@@ -34,6 +34,7 @@ public:
 
     bool has_pictures() const { return left_.picture() != nullptr; }
     DisplaySources display_sources(const ViewState& state) const;
+    DisplayVariant display_variant(const ViewState& state) const;
     DisplayParams display_params(const ViewState& state, VkExtent2D extent) const;
 
     /// Linear radiance of the left or right picture, and of the reference where it is there.
