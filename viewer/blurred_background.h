@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drawing.h"
+#include "lights.h"
 #include "view_state.h"
 
 namespace lobelia::cli {
@@ -8,21 +8,21 @@ namespace lobelia::cli {
 /// The environment as the background shows it where it is blurred by a lobe.
 class BlurredBackground {
 public:
-    /// Makes the map that `state` asks for where it is not there, adding what was run to `work`.
-    host::Outcome<Done> update(host::Gpu& gpu, const host::GpuEnvironment& environment,
-                               const ViewState& state, FrameWork& work);
-    void forget() { *this = BlurredBackground{version_ + 1}; }
+    /// Goes on until `end` with the map that `state` asks for, and adds what was run to `work`.
+    /// Until it is there the one before is shown.
+    host::Outcome<Done> update(host::Gpu& gpu, Lights& lights, const ViewState& state,
+                               FrameWork& work, std::chrono::steady_clock::time_point end);
+    bool is_ready() const { return ready_; }
+    void forget(); // the environment is another one, or none is asked for any more
 
     /// Null where the background is not blurred.
     VkImageView view() const { return map_ ? map_->view() : VK_NULL_HANDLE; }
     std::uint64_t version() const { return version_; } // of what it shows
 
-    BlurredBackground() = default;
-
 private:
-    explicit BlurredBackground(std::uint64_t version) : version_(version) {}
     std::optional<host::GpuImage> map_;
     float blurred_by_ = -1.0f; // exponent
+    bool ready_ = true;
     std::uint64_t version_ = 0;
 };
 

@@ -10,7 +10,9 @@ using host::Outcome;
 
 namespace {
 
-constexpr std::size_t MOST_LIGHTS = 6; // kept for going back to
+constexpr std::size_t MOST_LIGHTS = 6;   // kept for going back to
+constexpr float EDITED_UP_TO = 10000.0f; // exponents on the panel's slider
+constexpr float SHARPER_TAPS = 4.05f;    // than n + 1: Taps::five reads up to 4 times that
 
 } // namespace
 
@@ -18,7 +20,12 @@ Outcome<Lights> Lights::create(host::Gpu& gpu, host::MapPasses& passes,
                                host::GpuEnvironment environment) {
     auto resized = host::resized_cube(gpu, environment);
     if (!resized) return resized.error();
-    return Lights(passes, std::move(environment), std::move(*resized));
+    return Lights(gpu, passes, std::move(environment), std::move(*resized));
+}
+
+Outcome<ScenePlan> Lights::plan(const host::RenderSettings& settings, float sharpest) const {
+    return host::plan_scene(*gpu_, environment_->cube.description().width, environment_->constant,
+                            settings, SHARPER_TAPS * (std::max(sharpest, EDITED_UP_TO) + 1.0f));
 }
 
 bool Lights::serves(const Light& light, const ScenePlan& plan) {

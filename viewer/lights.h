@@ -15,13 +15,16 @@ class Lights {
 public:
     struct Light {
         host::SceneMaps maps;
-        SphereMethod method; // that they were asked for by
+        SphereMethod method; // that asked for them
         float exponent;      // likewise
     };
 
     static host::Outcome<Lights> create(host::Gpu& gpu, host::MapPasses& passes,
                                         host::GpuEnvironment environment);
     const host::GpuEnvironment& environment() const { return *environment_; }
+    /// What these settings call for, with levels for edits of an exponent that is `sharpest` now.
+    /// Takes milliseconds.
+    host::Outcome<ScenePlan> plan(const host::RenderSettings& settings, float sharpest) const;
 
     /// Goes on until `end`, by a pass at least, towards maps for that plan, and adds what was run
     /// to `work`. What was begun for another plan is ended first, and is what is given then.
@@ -34,13 +37,14 @@ public:
     std::uint64_t bytes() const;
 
 private:
-    Lights(host::MapPasses& passes, host::GpuEnvironment environment,
+    Lights(host::Gpu& gpu, host::MapPasses& passes, host::GpuEnvironment environment,
            std::optional<host::GpuImage> resized)
-        : passes_(&passes),
+        : gpu_(&gpu), passes_(&passes),
           environment_(std::make_unique<host::GpuEnvironment>(std::move(environment))),
           resized_(std::move(resized)) {}
     host::Outcome<Light*> begin(const ScenePlan& plan, SphereMethod method, float exponent);
 
+    host::Gpu* gpu_;
     host::MapPasses* passes_;
     std::unique_ptr<host::GpuEnvironment> environment_;
     std::optional<host::GpuImage> resized_; // its cube map, where prefilters do not read that

@@ -1,24 +1,10 @@
 #include "method_picture.h"
 
-#include <algorithm>
-
 #include "view_state.h"
 
 namespace lobelia::cli {
 
 using host::Outcome;
-
-namespace {
-
-constexpr float EDITED_UP_TO = 10000.0f; // exponents on the panel's slider
-constexpr float LARGEST_LEVELS = 4e6f;   // of Scene::levels_up_to
-constexpr float SHARPER_TAPS = 4.0f;     // than the lobe itself: what Taps read of it
-
-float levels_for(float exponent) {
-    return std::min(SHARPER_TAPS * std::max(exponent + 1.0f, EDITED_UP_TO), LARGEST_LEVELS);
-}
-
-} // namespace
 
 void MethodPicture::forget() {
     planned_.reset();
@@ -26,18 +12,14 @@ void MethodPicture::forget() {
     drawing_.forget();
 }
 
-// A plan is made only where it would differ: searching a ladder takes milliseconds.
-Outcome<Done> MethodPicture::plan(const host::Gpu& gpu, const Lights& lights,
-                                  const PictureRequest& request) {
+Outcome<Done> MethodPicture::plan(const Lights& lights, const PictureRequest& request) {
     const host::RenderSettings& settings = request.settings;
     const SphereView& view = settings.view;
     const PlanKey key(settings.method, settings.quality, settings.samples, view.material.exponent,
                       is_black(view.material.diffuse), is_black(view.material.specular),
                       view.background, host::sees_sphere(view), view.width, view.height);
     if (planned_ == key) return Done{};
-    auto plan = host::plan_scene(gpu, lights.environment().cube.description().width,
-                                 lights.environment().constant, settings,
-                                 levels_for(view.material.exponent));
+    auto plan = lights.plan(settings, view.material.exponent);
     if (!plan) return plan.error();
     plan_ = std::move(*plan);
     planned_ = key;
@@ -47,7 +29,7 @@ Outcome<Done> MethodPicture::plan(const host::Gpu& gpu, const Lights& lights,
 Outcome<Done> MethodPicture::update(host::Gpu& gpu, Lights& lights, SpherePipelines& pipelines,
                                     VkRenderPass pass, const PictureRequest& request,
                                     FrameWork& work, std::chrono::steady_clock::time_point end) {
-    if (const auto planned = plan(gpu, lights, request); !planned) return planned;
+    if (const auto planned = plan(lights, request); !planned) return planned;
     const SphereView& view = request.settings.view;
     const auto advanced =
         lights.advance(*plan_, request.settings.method, view.material.exponent, work, end);

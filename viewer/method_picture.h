@@ -30,8 +30,7 @@ public:
     void leave() { light_ = nullptr; }
 
 private:
-    host::Outcome<Done> plan(const host::Gpu& gpu, const Lights& lights,
-                             const PictureRequest& request);
+    host::Outcome<Done> plan(const Lights& lights, const PictureRequest& request);
 
     using PlanKey = std::tuple<SphereMethod, Quality, std::uint32_t, float, bool, bool, bool, bool,
                                std::uint32_t, std::uint32_t>;

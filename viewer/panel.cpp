@@ -7,7 +7,7 @@ namespace lobelia::cli {
 
 namespace {
 
-constexpr float WIDTH = 19.5f; // in letters' heights
+constexpr float WIDTH = 20.5f; // in letters' heights
 
 const char* method_text(void* methods, int index) {
     return (*static_cast<std::vector<host::RenderMethod>*>(methods))[std::size_t(index)].name;
@@ -45,8 +45,8 @@ void Panel::draw(ViewState& state, const Status& status, Requests& requests) {
     ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
     ImGui::SetNextWindowSize(ImVec2(WIDTH * ImGui::GetFontSize(), window.y));
     ImGui::Begin("Lobelia", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoBringToFrontOnFocus);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
     draw_material(state);
     draw_light(state, requests);
     draw_method(state);

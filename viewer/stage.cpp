@@ -58,6 +58,8 @@ PictureRequest Stage::request_for(const ViewState& state, VkExtent2D extent,
 
 Outcome<Done> Stage::update_pictures(const ViewState& state, VkExtent2D extent, FrameWork& work) {
     const auto end = std::chrono::steady_clock::now() + WORK_PER_UPDATE;
+    if (const auto done = background_.update(*gpu_, *lights_, state, work, end); !done) return done;
+    busy_ |= !background_.is_ready();
     const auto update = [&](MethodPicture& side, SphereMethod method) {
         const auto done = side.update(*gpu_, *lights_, pipelines_, pass_.get(),
                                       request_for(state, extent, method), work, end);
@@ -80,8 +82,6 @@ Outcome<Done> Stage::update(const ViewState& state, VkExtent2D extent, FrameWork
     maps_done_ = 1.0;
     if (!lights_) return Done{};
     if (const auto fitted = fit_unknown(extent); !fitted) return fitted;
-    if (const auto done = background_.update(*gpu_, *environment(), state, work); !done)
-        return done;
     if (const auto done = update_pictures(state, extent, work); !done) return done;
     if (!needs_reference(state)) {
         reference_.forget();

@@ -14,6 +14,7 @@ struct MapPasses::State {
     std::optional<Prefilter> prefilter{};
     std::optional<Irradiance> irradiance{};
     std::optional<Mips> mips{};
+    std::optional<MapReader> reader{};
     std::optional<ClippedTablesUpload> tables{};
     bool tables_are_there = false;
 };
@@ -39,6 +40,7 @@ struct SceneMaps::State {
     Outcome<Done> bind(const GpuEnvironment& environment, const GpuImage& source,
                        const State* before);
     Outcome<PassReport> run_next();
+    Outcome<Image> read(std::size_t index, std::uint32_t face);
     const PrefilteredMaps* prefiltered() const {
         return maps ? &*maps : job ? &job->maps : nullptr;
     }
@@ -171,6 +173,15 @@ Outcome<PassReport> SceneMaps::State::run_next() {
     return report;
 }
 
+Outcome<Image> SceneMaps::State::read(std::size_t index, std::uint32_t face) {
+    const auto reader = compiled(passes.gpu, passes.reader);
+    if (!reader) return reader.error();
+    auto values = host::read_map(passes.gpu, **reader, *prefiltered(), index,
+                                 texel_directions(Layout::cube, face, face));
+    if (!values) return values.error();
+    return Image{Layout::cube, face, face, 6, std::move(values->texels)};
+}
+
 Outcome<SceneMaps> SceneMaps::create(MapPasses& passes, const GpuEnvironment& environment,
                                      const GpuImage& source, const ScenePlan& plan,
                                      const SceneMaps* before) {
@@ -211,6 +222,10 @@ SphereShading SceneMaps::shading(const ScenePlan& plan) const {
 std::optional<std::uint32_t> SceneMaps::suns() const {
     const PrefilteredMaps* const maps = state_->prefiltered();
     return maps ? std::optional(sun_count(*maps)) : std::nullopt;
+}
+
+Outcome<Image> SceneMaps::read_map(std::size_t index, std::uint32_t face) {
+    return guarded([&] { return state_->read(index, face); });
 }
 
 } // namespace lobelia::host
