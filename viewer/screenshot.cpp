@@ -5,10 +5,15 @@
 #include <ctime>
 #include <filesystem>
 
+#include "command_line.h"
+
 namespace lobelia::cli {
 
 using host::Outcome;
 
+namespace {
+
+/// Linear radiance as it is seen: side by side where it is split.
 Outcome<host::Image> seen_radiance(Stage& stage, const ViewState& state) {
     auto left = stage.download(state, false);
     if (!left || !state.split) return left;
@@ -21,6 +26,7 @@ Outcome<host::Image> seen_radiance(Stage& stage, const ViewState& state) {
     return left;
 }
 
+/// As the window shows it, without panel: sRGB in [0, 1].
 Outcome<host::Image> seen_colours(host::Gpu& gpu, Stage& stage, const ViewState& state,
                                   VkExtent2D extent) {
     const VkDevice device = gpu.device().handle;
@@ -41,6 +47,7 @@ Outcome<host::Image> seen_colours(host::Gpu& gpu, Stage& stage, const ViewState&
     return picture->download(gpu);
 }
 
+/// In the current folder, of the time.
 std::string new_file_name(const std::string& ending) {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
@@ -52,6 +59,24 @@ std::string new_file_name(const std::string& ending) {
     for (int i = 2; std::filesystem::exists(name, ignored); ++i)
         name = std::string(stamp) + "-" + std::to_string(i) + ending;
     return name;
+}
+
+} // namespace
+
+Outcome<std::string> save_screenshot(host::Gpu& gpu, Stage& stage, const ViewState& state,
+                                     VkExtent2D extent, const std::string& ending) {
+    const bool as_exr = ending == ".exr";
+    const auto image =
+        as_exr ? seen_radiance(stage, state) : seen_colours(gpu, stage, state, extent);
+    if (!image) return image.error();
+    std::string path = new_file_name(ending);
+    const host::Metadata metadata = metadata_of(state, extent);
+    const host::Part part{.image = &*image};
+    const auto written = as_exr
+                             ? host::write_exr(path, {&part, 1}, host::Content::picture, metadata)
+                             : host::write_display_png(path, *image, metadata);
+    if (!written) return written.error();
+    return path;
 }
 
 } // namespace lobelia::cli

@@ -150,15 +150,17 @@ Outcome<host::Image> Stage::download(const ViewState& state, bool right) {
     return image;
 }
 
-Outcome<Stage::Probe> Stage::probe(const ViewState& state, std::uint32_t x, std::uint32_t y) {
+Outcome<std::optional<Pick>> Stage::pick(const ViewState& state, std::uint32_t x, std::uint32_t y) {
     const PictureRequest request =
         request_for(state, left_.picture()->extent(), SphereMethod::reference);
     const SphereView& view = request.settings.view;
+    const auto directions = surface_at(view, x, y);
+    if (!directions) return std::optional<Pick>{};
+    Pick pick{x, y, *directions, view.material.exponent};
     const bool right = state.split && float(x) >= state.divider * float(view.width);
     auto values = download(state, right);
     if (!values) return values.error();
-    Probe probe;
-    std::copy_n(values->texel(0, x, y), 3, probe.shown.begin());
+    std::copy_n(values->texel(0, x, y), 3, pick.shown.begin());
 
     auto reference = host::ProgressiveReference::create(*gpu_, *environment(), view);
     if (!reference) return reference.error();
@@ -170,8 +172,8 @@ Outcome<Stage::Probe> Stage::probe(const ViewState& state, std::uint32_t x, std:
     if (!drawn) return drawn.error();
     values = drawing.picture()->download(*gpu_);
     if (!values) return values.error();
-    std::copy_n(values->texel(0, x, y), 3, probe.exact.begin());
-    return probe;
+    std::copy_n(values->texel(0, x, y), 3, pick.exact.begin());
+    return std::optional(pick);
 }
 
 } // namespace lobelia::cli

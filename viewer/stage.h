@@ -5,6 +5,7 @@
 #include "blurred_background.h"
 #include "display.h"
 #include "method_picture.h"
+#include "pick.h"
 #include "reference_picture.h"
 #include "view_state.h"
 
@@ -39,11 +40,9 @@ public:
 
     /// Linear radiance of the left or right picture, and of the reference where it is there.
     host::Outcome<host::Image> download(const ViewState& state, bool right);
-    struct Probe {
-        std::array<float, 3> shown{}, exact{};
-    };
-    /// One pixel on the sphere, shown and exact.
-    host::Outcome<Probe> probe(const ViewState& state, std::uint32_t x, std::uint32_t y);
+    /// What a pixel shows and what it should; nothing where the sphere is not.
+    host::Outcome<std::optional<Pick>> pick(const ViewState& state, std::uint32_t x,
+                                            std::uint32_t y);
 
 private:
     Stage(host::Gpu& gpu, OwnedRenderPass pass)

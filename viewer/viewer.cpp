@@ -8,11 +8,11 @@
 
 #include "command_line.h"
 #include "controls.h"
-#include "loader.h"
 #include "messages.h"
 #include "overlay.h"
 #include "renderer.h"
 #include "screenshot.h"
+#include "shown_environment.h"
 
 namespace lobelia::cli {
 
@@ -43,15 +43,13 @@ public:
 
 private:
     void wait();
-    void open(const std::string& path);
-    Outcome<Done> take_environment();
-    Outcome<Done> show_environment();
+    Outcome<Done> update_environment();
     Outcome<Done> frame();
     Outcome<Done> draw_gui(Requests& requests);
     Outcome<Done> recover(const host::Failure& failure);
     void answer(const Requests& requests);
     void pick(std::uint32_t x, std::uint32_t y);
-    void save(bool as_exr);
+    void save(const std::string& ending);
     void tell(const std::string& message, bool is_bad = false);
     void count_frame();
 
@@ -64,11 +62,8 @@ private:
     Controls controls_;
     Status status_;
     FrameReport report_;
-    Loader loader_;                           // ends before the window that it wakes
-    std::optional<host::Environment> source_; // what is shown; none: the built-in one
-    std::optional<std::string> coming_;       // path of what is being read
-    bool for_high_quality_ = false;           // the environment's cube map is
-    std::string picked_in_; // the command of the picture that `status_.pick` is about
+    ShownEnvironment environment_; // ends before the window that its loader wakes
+    std::string picked_in_;        // the command of the picture that `status_.pick` is about
     bool rebuilt_ = false;
     bool minimised_ = false;
     bool stuck_ = false; // the stage failed; another state may do
@@ -83,7 +78,7 @@ void Viewer::tell(const std::string& message, bool is_bad) {
 }
 
 void Viewer::wait() {
-    double seconds = loader_.is_busy() ? LOADING_FRAME : -1.0;
+    double seconds = environment_.is_loading() ? LOADING_FRAME : -1.0;
     if (minimised_) {
         seconds = -1.0;
     } else if (!stuck_ && (renderer_->stage().is_busy() || state_.turning != 0.0f)) {
@@ -98,54 +93,14 @@ void Viewer::wait() {
     stuck_ = false;
 }
 
-void Viewer::open(const std::string& path) {
-    if (path.empty()) {
-        source_.reset();
-        state_.environment.clear();
-        if (const auto shown = show_environment(); !shown) tell(shown.error().message, true);
-        return;
-    }
-    coming_ = path;
-    loader_.begin(path);
-}
-
-// Where the first environment cannot be had there is nothing to show, which is a failure.
-Outcome<Done> Viewer::take_environment() {
-    auto result = loader_.take();
-    if (!result) return Done{};
-    const std::string path = *std::exchange(coming_, std::nullopt);
-    if (!*result) {
-        if (!renderer_->stage().environment()) return result->error();
-        tell(result->error().message, true);
-        return Done{};
-    }
-    auto before = std::exchange(source_, std::move(**result));
-    const std::string path_before = std::exchange(state_.environment, path);
-    if (const auto shown = show_environment(); !shown) {
-        if (!renderer_->stage().environment() || renderer_->is_lost()) return shown;
-        source_ = std::move(before);
-        state_.environment = path_before;
-        tell(path + ": " + shown.error().message, true);
-        return Done{};
-    }
-    panel_.list_environments(path);
-    const host::Sanitised& replaced = source_->sanitised;
-    const std::uint64_t count = replaced.not_a_number + replaced.infinite + replaced.negative;
-    tell(count ? std::to_string(count) + " texels were no radiance and are replaced" : "");
-    return Done{};
-}
-
-Outcome<Done> Viewer::show_environment() {
-    host::Gpu& gpu = renderer_->gpu();
-    const Quality quality = state_.settings.quality;
-    auto environment = source_ ? host::upload_environment(gpu, source_->image, state_.face, quality)
-                               : host::make_builtin_environment(gpu, state_.face, quality);
-    if (!environment) return environment.error();
-    if (const auto set = renderer_->stage().set_environment(std::move(*environment)); !set)
-        return set;
-    for_high_quality_ = quality == Quality::high;
-    ++report_.environments;
+Outcome<Done> Viewer::update_environment() {
+    const auto news = environment_.update(*renderer_, state_);
+    if (!news) return news.error();
+    if (!*news) return Done{};
+    tell((*news)->message, (*news)->is_bad);
+    if ((*news)->is_bad) return Done{};
     status_.pick.reset();
+    panel_.list_environments(state_.environment);
     const std::size_t name = state_.environment.find_last_of('/') + 1;
     glfwSetWindowTitle(window_.handle(),
                        state_.environment.empty()
@@ -155,40 +110,28 @@ Outcome<Done> Viewer::show_environment() {
 }
 
 void Viewer::pick(std::uint32_t x, std::uint32_t y) {
-    status_.pick.reset();
     const VkExtent2D extent = renderer_->extent();
+    status_.pick.reset();
     if (!renderer_->stage().has_pictures() || x >= extent.width || y >= extent.height) return;
-    const SphereView view = shown_view(state_, extent);
-    const auto directions = surface_at(view, x, y);
-    if (!directions) return;
-    const auto probe = renderer_->stage().probe(state_, x, y);
-    if (!probe) return tell(probe.error().message, true);
-    status_.pick = {x, y, *directions, view.material.exponent, probe->shown, probe->exact};
+    const auto pick = renderer_->stage().pick(state_, x, y);
+    if (!pick) return tell(pick.error().message, true);
+    status_.pick = *pick;
     picked_in_ = command_line(state_, extent);
 }
 
-void Viewer::save(bool as_exr) {
-    Stage& stage = renderer_->stage();
-    if (!stage.has_pictures()) return;
-    const VkExtent2D extent = renderer_->extent();
-    const auto image = as_exr ? seen_radiance(stage, state_)
-                              : seen_colours(renderer_->gpu(), stage, state_, extent);
-    if (!image) return tell(image.error().message, true);
-    const std::string path = new_file_name(as_exr ? ".exr" : ".png");
-    const host::Metadata metadata = metadata_of(state_, extent);
-    const host::Part part{.image = &*image};
-    const auto written = as_exr
-                             ? host::write_exr(path, {&part, 1}, host::Content::picture, metadata)
-                             : host::write_display_png(path, *image, metadata);
-    tell(written ? "saved " + path : written.error().message, !written);
+void Viewer::save(const std::string& ending) {
+    if (!renderer_->stage().has_pictures()) return;
+    const auto saved =
+        save_screenshot(renderer_->gpu(), renderer_->stage(), state_, renderer_->extent(), ending);
+    tell(saved ? "saved " + *saved : saved.error().message, !saved);
 }
 
 void Viewer::answer(const Requests& requests) {
-    if (requests.open) open(*requests.open);
+    if (requests.open) environment_.open(*requests.open);
     if (requests.reset_camera) state_.settings.view.camera = start_.state.settings.view.camera;
     if (requests.pick) pick((*requests.pick)[0], (*requests.pick)[1]);
-    if (requests.save_png) save(false);
-    if (requests.save_exr) save(true);
+    if (requests.save_png) save(".png");
+    if (requests.save_exr) save(".exr");
     if (requests.copy_command) {
         const std::string command = command_line(state_, renderer_->extent());
         glfwSetClipboardString(window_.handle(), command.c_str());
@@ -203,8 +146,9 @@ Outcome<Done> Viewer::draw_gui(Requests& requests) {
         gui_.set_scale(scale);
         if (const auto loaded = renderer_->reload_fonts(); !loaded) return loaded;
     }
-    status_.loading = loader_.is_busy() ? loader_.path() : "";
-    status_.loading_seconds = loader_.is_busy() ? loader_.seconds() : 0.0;
+    const Loader& loader = environment_.loader();
+    status_.loading = loader.is_busy() ? loader.path() : "";
+    status_.loading_seconds = loader.is_busy() ? loader.seconds() : 0.0;
     status_.maps_done = renderer_->stage().maps_done();
     status_.reference_done = renderer_->stage().reference_done();
     status_.bytes = renderer_->stage().bytes();
@@ -228,6 +172,7 @@ void Viewer::count_frame() {
     ++report_.frame;
     report_.seconds = seconds_since(began_);
     report_.size = renderer_->extent();
+    report_.environments = environment_.count();
     report_.busy = renderer_->stage().is_busy();
     if (start_.json) {
         print(as_json_line(report_, state_, status_, panel_.places()));
@@ -248,8 +193,8 @@ Outcome<Done> Viewer::frame() {
     answer(requests);
     if (status_.pick && picked_in_ != command_line(state_, renderer_->extent()))
         status_.pick.reset();
-    if (stage.environment() && for_high_quality_ != (state_.settings.quality == Quality::high))
-        if (const auto shown = show_environment(); !shown) return shown;
+    if (stage.environment() && !environment_.has_quality(state_.settings.quality))
+        if (const auto shown = environment_.show(*renderer_, state_); !shown) return shown;
 
     status_.passes = report_.work.size();
     status_.prefilters = prefilter_passes(report_.work);
@@ -282,7 +227,7 @@ Outcome<Done> Viewer::recover(const host::Failure& failure) {
     if (!renderer) return renderer.error();
     renderer_ = std::move(*renderer);
     tell("the device was lost and has been started anew", true);
-    return show_environment();
+    return environment_.show(*renderer_, state_);
 }
 
 Outcome<Done> Viewer::run() {
@@ -295,13 +240,9 @@ Outcome<Done> Viewer::run() {
             host::check_view(shown_view(state_, start_.size), renderer_->gpu().limits()))
         return *refused;
     panel_.list_environments(state_.environment);
-    if (state_.environment.empty()) {
-        if (const auto shown = show_environment(); !shown) return shown;
-    } else {
-        open(state_.environment);
-    }
+    environment_.open(state_.environment);
     while (!window_.asked_to_close()) {
-        auto done = take_environment();
+        auto done = update_environment();
         if (!done && !renderer_->stage().environment()) return done;
         if (done) done = frame();
         if (!done)

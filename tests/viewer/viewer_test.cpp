@@ -5,9 +5,8 @@
 #include <filesystem>
 #include <thread>
 
-#include "session.h"
-#include "support/png_file.h"
-#include "support/run_program.h"
+#include "drop_file.h"
+#include "viewer_fixture.h"
 #include "wm_state.h"
 
 namespace lobelia::test {
@@ -15,51 +14,11 @@ namespace lobelia::test {
 namespace {
 
 using namespace std::chrono_literals;
-using Json = ViewerSession::Json;
-
-const std::vector<std::pair<std::string, std::string>> VALIDATED{
-    {"VK_INSTANCE_LAYERS", "VK_LAYER_KHRONOS_validation"},
-    {"VK_LAYER_ENABLES", "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT"}};
-
-/// A person at a desktop of their own. Fails where the program says anything on stderr, validation
-/// says anything on stdout, or the exit status is not 0.
-class ViewerTest : public testing::Test {
-protected:
-    Desktop desktop;
-    TemporaryFolder folder;
-
-    void expect_good_end(ViewerSession& session) {
-        session.key("ctrl+q");
-        EXPECT_EQ(session.child().wait(60s), 0);
-        session.read_rest();
-        EXPECT_EQ(session.child().errors(), "");
-        EXPECT_TRUE(session.strays().empty()) << session.strays().front();
-    }
-
-    /// What the desktop shows of the window.
-    PngFile seen(ViewerSession& session) {
-        const std::string path = folder / "seen.png";
-        desktop.run({"import", "-window", session.window(), "-depth", "8", "PNG32:" + path});
-        return read_png(path);
-    }
-};
 
 std::uint64_t prefilter_passes(const std::vector<Json>& frames) {
     std::uint64_t passes = 0;
     for (const Json& frame : frames) passes += frame["prefilter_passes"].get<std::uint64_t>();
     return passes;
-}
-
-/// The largest difference of a colour channel within columns [first, last).
-int largest_difference(const PngFile& a, const PngFile& b, std::uint32_t first,
-                       std::uint32_t last) {
-    if (a.width != b.width || a.height != b.height) return 256;
-    int largest = 0;
-    for (std::uint32_t y = 0; y < a.height; ++y)
-        for (std::uint32_t x = first; x < last; ++x)
-            for (std::uint32_t c = 0; c < 3; ++c)
-                largest = std::max(largest, std::abs(int(a.at(x, y)[c]) - int(b.at(x, y)[c])));
-    return largest;
 }
 
 std::string only_file(const TemporaryFolder& folder, const std::string& ending) {
@@ -131,6 +90,11 @@ TEST_F(ViewerTest, EditsTheMaterialAndTheEnvironment) {
     session.wait_for("another environment",
                      [](const Json& frame) { return frame["environment"] == "other.exr"; });
     EXPECT_EQ(session.wait_until_still()["environments_shown"], 2);
+    drop_file(desktop.display(), session.window(), LOBELIA_CORPUS_FOLDER "/sun1e9.exr");
+    session.wait_for("the file that was dropped", [](const Json& frame) {
+        return frame["environment"] == LOBELIA_CORPUS_FOLDER "/sun1e9.exr";
+    });
+    EXPECT_EQ(session.wait_until_still()["environments_shown"], 3);
     EXPECT_GT(largest_difference(sharper, seen(session), 400, 900), 10);
 
     expect_good_end(session);
