@@ -113,9 +113,14 @@ Result<SphereJob> Sphere::bind(const SphereSources& sources) const {
 }
 
 void SphereJob::record(VkCommandBuffer commands, const SphereView& view) const noexcept {
+    record(commands, view, {{0, 0}, {view.width, view.height}});
+}
+
+void SphereJob::record(VkCommandBuffer commands, const SphereView& view,
+                       const VkRect2D& part) const noexcept {
     const vk::Label label(state_->shared->context, commands, "lobelia sphere");
     vk::draw_full_screen(state_->shared->context, commands, state_->shared->pass,
-                         state_->sets.sets[0], make_params(view), view.width, view.height);
+                         state_->sets.sets[0], make_params(view), view.width, view.height, part);
 }
 
 } // namespace lobelia

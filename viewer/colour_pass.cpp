@@ -7,15 +7,16 @@ namespace lobelia::cli {
 using host::Outcome;
 
 Outcome<OwnedRenderPass> make_colour_pass(VkDevice device, VkFormat format,
-                                          VkImageLayout final_layout) {
-    const VkAttachmentDescription attachment{.format = format,
-                                             .samples = VK_SAMPLE_COUNT_1_BIT,
-                                             .loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
-                                             .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
-                                             .stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
-                                             .stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE,
-                                             .initialLayout = VK_IMAGE_LAYOUT_UNDEFINED,
-                                             .finalLayout = final_layout};
+                                          VkImageLayout final_layout, bool keeps) {
+    const VkAttachmentDescription attachment{
+        .format = format,
+        .samples = VK_SAMPLE_COUNT_1_BIT,
+        .loadOp = keeps ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+        .stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+        .stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE,
+        .initialLayout = keeps ? final_layout : VK_IMAGE_LAYOUT_UNDEFINED,
+        .finalLayout = final_layout};
     const VkAttachmentReference reference{0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
     const VkSubpassDescription subpass{.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS,
                                        .colorAttachmentCount = 1,
@@ -32,7 +33,7 @@ Outcome<OwnedRenderPass> make_colour_pass(VkDevice device, VkFormat format,
          .srcStageMask = readers,
          .dstStageMask = VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
          .srcAccessMask = written,
-         .dstAccessMask = written},
+         .dstAccessMask = written | VK_ACCESS_COLOR_ATTACHMENT_READ_BIT},
         {.srcSubpass = 0,
          .dstSubpass = VK_SUBPASS_EXTERNAL,
          .srcStageMask = VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,

@@ -16,17 +16,20 @@ using FrameWork = std::vector<host::PassReport>;
 /// How many of the passes make maps.
 std::size_t prefilter_passes(const FrameWork& work);
 
-/// The sphere's pipelines, compiled when first asked for.
+/// The sphere's pipelines, compiled when first asked for, and the passes that they draw in.
 class SpherePipelines {
 public:
-    /// `pass` is what pictures are drawn in.
-    SpherePipelines(host::Gpu& gpu, VkRenderPass pass) : gpu_(&gpu), pass_(pass) {}
+    static host::Outcome<SpherePipelines> create(host::Gpu& gpu);
     host::Outcome<const Sphere*> get(const SphereShading& shading);
+    VkRenderPass whole() const { return whole_.get(); }
+    VkRenderPass part() const { return part_.get(); } // the rest of the picture stays
 
 private:
     using Key = std::tuple<SphereMethod, bool, bool, bool, MapFilter, bool, std::uint32_t>;
+    SpherePipelines(host::Gpu& gpu, OwnedRenderPass whole, OwnedRenderPass part)
+        : gpu_(&gpu), whole_(std::move(whole)), part_(std::move(part)) {}
     host::Gpu* gpu_;
-    VkRenderPass pass_;
+    OwnedRenderPass whole_, part_;
     std::map<Key, Sphere> spheres_;
 };
 
@@ -42,7 +45,7 @@ struct DrawingRequest {
 class Drawing {
 public:
     /// Draws where needed, adding the pass to `work`.
-    host::Outcome<Done> draw(host::Gpu& gpu, SpherePipelines& pipelines, VkRenderPass pass,
+    host::Outcome<Done> draw(host::Gpu& gpu, SpherePipelines& pipelines,
                              const DrawingRequest& request, FrameWork& work);
     /// Draws anew next time whatever the request.
     void forget() { drawn_.reset(); }

@@ -27,8 +27,8 @@ Outcome<Done> MethodPicture::plan(const Lights& lights, const PictureRequest& re
 }
 
 Outcome<Done> MethodPicture::update(host::Gpu& gpu, Lights& lights, SpherePipelines& pipelines,
-                                    VkRenderPass pass, const PictureRequest& request,
-                                    FrameWork& work, std::chrono::steady_clock::time_point end) {
+                                    const PictureRequest& request, FrameWork& work,
+                                    std::chrono::steady_clock::time_point end) {
     if (const auto planned = plan(lights, request); !planned) return planned;
     const SphereView& view = request.settings.view;
     const auto advanced =
@@ -49,7 +49,7 @@ Outcome<Done> MethodPicture::update(host::Gpu& gpu, Lights& lights, SpherePipeli
     drawing.shading.background = view.background;
     drawing.view.material.exponent = light_->exponent; // maps may be for it alone
     drawing.sources.background = request.background;
-    return drawing_.draw(gpu, pipelines, pass, drawing, work);
+    return drawing_.draw(gpu, pipelines, drawing, work);
 }
 
 } // namespace lobelia::cli

@@ -16,7 +16,7 @@ class MethodPicture {
 public:
     /// Works on maps until `end`, and draws where the picture would change.
     host::Outcome<Done> update(host::Gpu& gpu, Lights& lights, SpherePipelines& pipelines,
-                               VkRenderPass pass, const PictureRequest& request, FrameWork& work,
+                               const PictureRequest& request, FrameWork& work,
                                std::chrono::steady_clock::time_point end);
     /// Whether the picture is what was asked for, and how much of the maps for it is there.
     bool is_ready() const { return ready_; }

@@ -14,7 +14,7 @@ Outcome<Picture> Picture::create(host::Gpu& gpu, VkRenderPass pass, VkExtent2D e
     if (!image) return image.error();
     auto framebuffer = make_framebuffer(gpu.device().handle, pass, image->view(), extent);
     if (!framebuffer) return framebuffer.error();
-    return Picture(std::move(*image), pass, std::move(*framebuffer), extent);
+    return Picture(std::move(*image), std::move(*framebuffer), extent);
 }
 
 } // namespace lobelia::cli

@@ -48,8 +48,8 @@ void ReferencePicture::forget() {
 }
 
 Outcome<Done> ReferencePicture::update(host::Gpu& gpu, const host::GpuEnvironment& environment,
-                                       SpherePipelines& pipelines, VkRenderPass pass,
-                                       const PictureRequest& request, FrameWork& work) {
+                                       SpherePipelines& pipelines, const PictureRequest& request,
+                                       FrameWork& work) {
     const SphereView& view = request.settings.view;
     if (!view_ || !has_same_reference(*view_, view)) {
         reference_.reset();
@@ -72,7 +72,7 @@ Outcome<Done> ReferencePicture::update(host::Gpu& gpu, const host::GpuEnvironmen
     }
     DrawingRequest drawing = reference_drawing(*reference_, request);
     drawing.version += version_ << 32;
-    return drawing_.draw(gpu, pipelines, pass, drawing, work);
+    return drawing_.draw(gpu, pipelines, drawing, work);
 }
 
 } // namespace lobelia::cli

@@ -14,8 +14,8 @@ class ReferencePicture {
 public:
     /// Goes on with it, and draws what is known so far.
     host::Outcome<Done> update(host::Gpu& gpu, const host::GpuEnvironment& environment,
-                               SpherePipelines& pipelines, VkRenderPass pass,
-                               const PictureRequest& request, FrameWork& work);
+                               SpherePipelines& pipelines, const PictureRequest& request,
+                               FrameWork& work);
     void forget(); // the environment is another one, or it is not asked for any more
     /// Another update of the same view would change it.
     bool is_busy() const { return view_ && done() < 1.0; }

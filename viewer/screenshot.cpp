@@ -39,7 +39,7 @@ Outcome<host::Image> seen_colours(host::Gpu& gpu, Stage& stage, const ViewState&
     const auto bound = display->bind(stage.display_sources(state), stage.display_variant(state));
     if (!bound) return bound.error();
     const auto drawn = gpu.submit([&](VkCommandBuffer commands) {
-        picture->record(commands, [&](VkCommandBuffer inside) {
+        picture->record(commands, pass->get(), [&](VkCommandBuffer inside) {
             display->record(inside, stage.display_params(state, extent), extent);
         });
     });

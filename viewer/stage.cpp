@@ -22,9 +22,9 @@ bool needs_reference(const ViewState& state) {
 } // namespace
 
 Outcome<Stage> Stage::create(host::Gpu& gpu) {
-    auto pass = make_colour_pass(gpu.device().handle, Picture::FORMAT, Picture::LAYOUT);
-    if (!pass) return pass.error();
-    return Stage(gpu, std::move(*pass));
+    auto pipelines = SpherePipelines::create(gpu);
+    if (!pipelines) return pipelines.error();
+    return Stage(gpu, std::move(*pipelines));
 }
 
 Outcome<Done> Stage::set_environment(host::GpuEnvironment environment) {
@@ -61,8 +61,8 @@ Outcome<Done> Stage::update_pictures(const ViewState& state, VkExtent2D extent, 
     if (const auto done = background_.update(*gpu_, *lights_, state, work, end); !done) return done;
     busy_ |= !background_.is_ready();
     const auto update = [&](MethodPicture& side, SphereMethod method) {
-        const auto done = side.update(*gpu_, *lights_, pipelines_, pass_.get(),
-                                      request_for(state, extent, method), work, end);
+        const auto done =
+            side.update(*gpu_, *lights_, pipelines_, request_for(state, extent, method), work, end);
         busy_ |= !side.is_ready();
         maps_done_ = std::min(maps_done_, side.maps_done());
         return done;
@@ -87,7 +87,7 @@ Outcome<Done> Stage::update(const ViewState& state, VkExtent2D extent, FrameWork
         reference_.forget();
         return Done{};
     }
-    const auto done = reference_.update(*gpu_, *environment(), pipelines_, pass_.get(),
+    const auto done = reference_.update(*gpu_, *environment(), pipelines_,
                                         request_for(state, extent, SphereMethod::reference), work);
     busy_ |= reference_.is_busy();
     return done;
@@ -168,7 +168,7 @@ Outcome<std::optional<Pick>> Stage::pick(const ViewState& state, std::uint32_t x
     Drawing drawing;
     FrameWork work;
     const auto drawn =
-        drawing.draw(*gpu_, pipelines_, pass_.get(), reference_drawing(*reference, request), work);
+        drawing.draw(*gpu_, pipelines_, reference_drawing(*reference, request), work);
     if (!drawn) return drawn.error();
     values = drawing.picture()->download(*gpu_);
     if (!values) return values.error();

@@ -45,8 +45,8 @@ public:
                                             std::uint32_t y);
 
 private:
-    Stage(host::Gpu& gpu, OwnedRenderPass pass)
-        : gpu_(&gpu), passes_(gpu), pass_(std::move(pass)), pipelines_(gpu, pass_.get()) {}
+    Stage(host::Gpu& gpu, SpherePipelines pipelines)
+        : gpu_(&gpu), passes_(gpu), pipelines_(std::move(pipelines)) {}
     PictureRequest request_for(const ViewState& state, VkExtent2D extent,
                                SphereMethod method) const;
     host::Outcome<Done> update_pictures(const ViewState& state, VkExtent2D extent, FrameWork& work);
@@ -55,7 +55,6 @@ private:
 
     host::Gpu* gpu_;
     host::MapPasses passes_;
-    OwnedRenderPass pass_;
     SpherePipelines pipelines_;
     std::optional<Lights> lights_;
     std::uint64_t environments_ = 0; // so far

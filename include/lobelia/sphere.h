@@ -39,6 +39,10 @@ struct SphereView {
     std::uint32_t height = 0;
 };
 
+/// Pixels of the picture among which are all that the sphere covers, at least partly. Empty where
+/// there are none.
+LOBELIA_API VkRect2D sphere_bounds(const SphereView& view) noexcept;
+
 /// Where the sphere is drawn: a subpass of a render pass, or dynamic rendering into one attachment.
 struct SphereTarget {
     VkRenderPass render_pass = VK_NULL_HANDLE; // null: dynamic rendering (the caller enabled it)
@@ -58,6 +62,10 @@ public:
     /// Writes linear radiance, blended with the background by the fraction of the pixel that the
     /// sphere covers; that fraction is alpha. Never allocates, submits or waits.
     void record(VkCommandBuffer commands, const SphereView& view) const noexcept;
+    /// The same of the pixels in `part` alone, which lies in the viewport: for a picture of which
+    /// the rest is there. Edits of the material change none outside sphere_bounds().
+    void record(VkCommandBuffer commands, const SphereView& view,
+                const VkRect2D& part) const noexcept;
 
 private:
     std::shared_ptr<const State> state_;

@@ -32,13 +32,12 @@ FullScreenPass make_full_screen_pass(const Context& context,
 template <class Params>
 void draw_full_screen(const Context& context, VkCommandBuffer commands, const FullScreenPass& pass,
                       VkDescriptorSet set, const Params& params, std::uint32_t width,
-                      std::uint32_t height) {
+                      std::uint32_t height, const VkRect2D& part) {
     const VkPipelineLayout layout = pass.interface.layout.get();
     const VkViewport viewport{0, 0, float(width), float(height), 0, 1};
-    const VkRect2D scissor{{0, 0}, {width, height}};
     context.call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.pipeline.get());
     context.call.vkCmdSetViewport(commands, 0, 1, &viewport);
-    context.call.vkCmdSetScissor(commands, 0, 1, &scissor);
+    context.call.vkCmdSetScissor(commands, 0, 1, &part);
     context.call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1,
                                          &set, 0, nullptr);
     context.call.vkCmdPushConstants(commands, layout,

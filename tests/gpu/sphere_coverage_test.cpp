@@ -16,11 +16,16 @@ protected:
     void expect_counted(const SphereView& view) {
         const host::Image picture = draw_black(view);
         const oracle::Camera camera = oracle_camera(view);
+        const auto [low, size] = sphere_bounds(view);
         for (std::uint32_t y = 0; y < view.height; ++y)
             for (std::uint32_t x = 0; x < view.width; ++x) {
                 const double shown = double(picture.texel(0, x, y)[3]);
                 const double counted = oracle::coverage(camera, int(x), int(y));
                 EXPECT_NEAR(shown, counted, 0.005)
+                    << text(view.camera) << " pixel " << x << "," << y;
+                const bool within =
+                    x - std::uint32_t(low.x) < size.width && y - std::uint32_t(low.y) < size.height;
+                EXPECT_TRUE(within || shown == 0.0)
                     << text(view.camera) << " pixel " << x << "," << y;
             }
     }
@@ -28,6 +33,17 @@ protected:
 private:
     host::GpuEnvironment black_ = upload(even_panorama(2, 1, 0.0f, 0.0f, 0.0f));
 };
+
+TEST_F(SphereCoverageTest, LiesInBoundsThatFit) {
+    // Seen from (0, 0, 4) the silhouette is a circle of the radius tan(asin(1/4)) at distance 1.
+    const SphereView view{.width = 1280, .height = 720};
+    const double radius = 1.0 / std::sqrt(15.0) * 360.0 / std::tan(std::numbers::pi / 12);
+    const auto [low, size] = sphere_bounds(view);
+    EXPECT_NEAR(low.x, 640.0 - radius, 3.0);
+    EXPECT_NEAR(low.y, 360.0 - radius, 3.0);
+    EXPECT_NEAR(size.width, 2.0 * radius, 6.0);
+    EXPECT_NEAR(size.height, 2.0 * radius, 6.0);
+}
 
 TEST_F(SphereCoverageTest, IsWhatCountingRaysGives) {
     const Camera cameras[] = {
