@@ -16,7 +16,7 @@ class Photographer {
 public:
     Photographer(const std::string& folder, const std::string& panorama)
         : folder_(folder),
-          session_(desktop_, {LOBELIA_PANORAMAS "/" + panorama, "--size", "960x640"},
+          session_(desktop_, {LOBELIA_PANORAMAS "/" + panorama, "--size", "960x680"},
                    nowhere_.path(), {}) {
         session_.window();
         session_.wait_until_still();
@@ -32,10 +32,8 @@ public:
         session_.click(list + "." + entry);
         session_.wait_until_still();
     }
-    /// Few colours keep the file small.
     void take(const std::string& name) {
-        desktop_.run({"import", "-window", session_.window(), "-colors", "200",
-                      "PNG8:" + folder_ + "/" + name});
+        desktop_.run({"import", "-window", session_.window(), "PNG24:" + folder_ + "/" + name});
     }
 
 private:
@@ -54,7 +52,8 @@ void take_material(const std::string& folder) {
 }
 
 void take_split(const std::string& folder) {
-    Photographer photographer(folder, "sunset.exr");
+    Photographer photographer(folder, "courtyard.exr");
+    photographer.choose("preset", "glazed clay");
     photographer.choose("method", "kurt2019");
     photographer.choose("other", "two-tap");
     photographer.session().click("background.blurred");
