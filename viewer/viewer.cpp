@@ -1,13 +1,12 @@
 #include "viewer.h"
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
 
 #include <GLFW/glfw3.h>
 
 #include "command_line.h"
 #include "controls.h"
+#include "frame_clock.h"
 #include "messages.h"
 #include "overlay.h"
 #include "renderer.h"
@@ -23,16 +22,6 @@ namespace {
 constexpr int FRAMES_AFTER_AN_EVENT = 3; // in which the panel comes to rest
 constexpr double FASTEST_FRAME = 1.0 / 60.0;
 constexpr double LOADING_FRAME = 0.1; // seconds: the time that is shown goes on
-
-using Clock = std::chrono::steady_clock;
-
-double process_ms() {
-    return 1e3 * double(std::clock()) / CLOCKS_PER_SEC;
-}
-
-double seconds_since(Clock::time_point time) {
-    return std::chrono::duration<double>(Clock::now() - time).count();
-}
 
 class Viewer {
 public:
@@ -68,8 +57,7 @@ private:
     bool minimised_ = false;
     bool stuck_ = false; // the stage failed; another state may do
     int redraw_ = FRAMES_AFTER_AN_EVENT;
-    double cpu_ms_ = process_ms();
-    Clock::time_point began_ = Clock::now(), last_frame_ = Clock::now();
+    FrameClock clock_;
 };
 
 void Viewer::tell(const std::string& message, bool is_bad) {
@@ -82,7 +70,7 @@ void Viewer::wait() {
     if (minimised_) {
         seconds = -1.0;
     } else if (!stuck_ && (renderer_->stage().is_busy() || state_.turning != 0.0f)) {
-        seconds = std::clamp(FASTEST_FRAME - seconds_since(last_frame_), 0.0, FASTEST_FRAME);
+        seconds = std::clamp(FASTEST_FRAME - clock_.since_frame(), 0.0, FASTEST_FRAME);
     } else if (redraw_ > 0) {
         seconds = 0.0;
         --redraw_;
@@ -161,16 +149,11 @@ Outcome<Done> Viewer::draw_gui(Requests& requests) {
 }
 
 void Viewer::count_frame() {
-    const double seconds = seconds_since(last_frame_);
-    last_frame_ = Clock::now();
-    const double cpu = process_ms();
-    status_.cpu_ms = cpu - cpu_ms_;
-    cpu_ms_ = cpu;
-    const double rate = 1.0 / std::max(seconds, 1e-6);
-    const double weight = seconds > 0.5 ? 1.0 : 0.1; // it stood still
-    status_.frames_per_second += weight * (rate - status_.frames_per_second);
+    clock_.tick();
+    status_.cpu_ms = clock_.cpu_ms();
+    status_.frames_per_second = clock_.frames_per_second();
     ++report_.frame;
-    report_.seconds = seconds_since(began_);
+    report_.seconds = clock_.seconds();
     report_.size = renderer_->extent();
     report_.environments = environment_.count();
     report_.busy = renderer_->stage().is_busy();

@@ -71,7 +71,8 @@ void SphereTimer::add_shader(const std::string& name, std::span<const std::uint3
     vk::write_descriptor_set(context_, sets->sets[0], bindings, resources);
     drawings_.push_back({name, [this, pass, sets](VkCommandBuffer commands) {
                              vk::draw_full_screen(context_, commands, *pass, sets->sets[0],
-                                                  make_params(view_), SIZE, SIZE, {{0, 0}, {SIZE, SIZE}});
+                                                  make_params(view_), SIZE, SIZE,
+                                                  {{0, 0}, {SIZE, SIZE}});
                          }});
 }
 
