@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <lobelia/clipped_tables.h>
+#include <lobelia/expected_error.h>
 #include <lobelia/irradiance.h>
 
 #include "vk/guard.h"
@@ -48,6 +50,21 @@ std::string exponent_text(float exponent) {
     return std::string(text, std::to_chars(text, text + sizeof text, exponent).ptr);
 }
 
+/// At each point the error of a sum of positive parts lies between those of the parts; their mean
+/// squares may still add up, where one part errs on one half of the sphere and one on the other.
+double expected_of(const SceneMaterial& material, const Scene& scene) {
+    const double diffuse =
+        is_black(material.diffuse)
+            ? 0.0
+            : expected_diffuse_error(scene.method, scene.quality, scene.source_size);
+    const double specular =
+        is_black(material.specular)
+            ? 0.0
+            : expected_specular_error(scene.method, scene.quality, material.least_exponent,
+                                      material.most_exponent, scene.source_size);
+    return std::hypot(diffuse, specular);
+}
+
 /// The exponents of materials that shine.
 struct Exponents {
     std::vector<float> all; // different ones, of materials that do not vary
@@ -78,6 +95,7 @@ struct ScenePlan::State {
     SphereShading shading;
     std::optional<PrefilterPlan> prefilter;
     bool environment_is_its_maps = false;
+    double expected_error = 0;
     std::vector<ScenePass> passes;
     std::vector<SceneResource> resources;
     std::deque<std::string> names; // of resources
@@ -117,10 +135,12 @@ Result<Done> ScenePlan::State::fill(const Scene& from) {
                          "a material's least exponent is the least"};
         shading.diffuse = shading.diffuse || !is_black(material.diffuse);
         shading.specular = shading.specular || !is_black(material.specular);
+        expected_error = std::max(expected_error, expected_of(material, scene));
     }
     if (scene.background) read += source_bytes(scene.background_size);
     const bool lit = shading.diffuse || shading.specular;
     environment_is_its_maps = lit && scene.constant && reads_maps(scene.method);
+    if (environment_is_its_maps) expected_error = EXPECTED_EXACT_ERROR;
     if (!lit || environment_is_its_maps)
         shading.method = SphereMethod::plain_split_sum;
     else if (reads_maps(scene.method)) {
@@ -282,6 +302,9 @@ const PrefilterPlan* ScenePlan::prefilter() const noexcept {
 }
 bool ScenePlan::environment_is_its_maps() const noexcept {
     return state_->environment_is_its_maps;
+}
+double ScenePlan::expected_error() const noexcept {
+    return state_->expected_error;
 }
 bool ScenePlan::clipped_tables() const noexcept {
     return state_->prefilter && state_->prefilter->ladder().rungs > 0;

@@ -14,6 +14,7 @@
 #include "quality.h"
 #include "report.h"
 #include "sphere_options.h"
+#include "tolerance.h"
 #include "verbs.h"
 
 namespace lobelia::cli {
@@ -33,28 +34,52 @@ struct PlanOptions {
 };
 
 host::PrefilterSettings prefilter_settings(const PlanOptions& options) {
-    host::PrefilterSettings settings{.quality = options.sphere.quality,
+    host::PrefilterSettings settings{.quality = options.sphere.quality.value_or(Quality::normal),
                                      .exponents = options.exponents};
     if (options.lambert) settings.exponents.insert(settings.exponents.begin(), 1.0f);
     settings.width = options.sphere.face;
     return settings;
 }
 
-Outcome<host::WorkPlan> plan_of(const PlanOptions& options, host::Gpu& gpu,
-                                const host::EnvironmentShape& environment) {
-    if (options.of_prefilter()) {
-        const host::PrefilterSettings settings = prefilter_settings(options);
-        const auto rates = host::measure_rates(gpu, settings);
-        if (!rates) return rates.error();
-        return host::plan_prefilter(gpu, environment, settings, *rates);
-    }
-    const host::RenderSettings settings = settings_of(options.sphere);
+/// Work, and what it is done by.
+struct Planned {
+    host::WorkPlan work;
+    std::string method;
+    Quality quality = Quality::normal;
+};
+
+template <class Settings>
+Outcome<Done> meet_tolerance(const PlanOptions& options, const host::Gpu& gpu,
+                             const host::EnvironmentShape& environment, Settings& settings) {
+    if (!options.sphere.tolerance) return Done{};
+    return meet(*options.sphere.tolerance, gpu, environment, settings);
+}
+
+Outcome<Planned> plan_maps(const PlanOptions& options, host::Gpu& gpu,
+                           const host::EnvironmentShape& environment) {
+    host::PrefilterSettings settings = prefilter_settings(options);
+    if (const auto met = meet_tolerance(options, gpu, environment, settings); !met)
+        return met.error();
+    const auto rates = host::measure_rates(gpu, settings);
+    if (!rates) return rates.error();
+    auto work = host::plan_prefilter(gpu, environment, settings, *rates);
+    if (!work) return work.error();
+    return Planned{std::move(*work), prefilter_method_name(settings.method), settings.quality};
+}
+
+Outcome<Planned> plan_sphere(const PlanOptions& options, host::Gpu& gpu,
+                             const host::EnvironmentShape& environment) {
+    host::RenderSettings settings = settings_of(options.sphere);
     if (const auto refused =
             host::check_material(settings.view.material, options.sphere.allow_energy_gain))
         return *refused;
+    if (const auto met = meet_tolerance(options, gpu, environment, settings); !met)
+        return met.error();
     const auto rates = host::measure_rates(gpu, settings);
     if (!rates) return rates.error();
-    return host::plan_render(gpu, environment, options.sphere.face, settings, *rates);
+    auto work = host::plan_render(gpu, environment, options.sphere.face, settings, *rates);
+    if (!work) return work.error();
+    return Planned{std::move(*work), method_name(settings.method), settings.quality};
 }
 
 Outcome<std::string> plan(const PlanOptions& options) {
@@ -66,22 +91,24 @@ Outcome<std::string> plan(const PlanOptions& options) {
     if (!gpu) return gpu.error();
     if (const auto fits = check_face(*source, options.sphere.face); !fits) return fits.error();
     progress.begin("timing the device");
-    const auto work =
-        plan_of(options, *gpu, *source ? host::shape_of((*source)->image) : host::builtin_shape());
-    if (!work) return work.error();
+    const host::EnvironmentShape shape = shape_of(*source);
+    const auto planned = options.of_prefilter() ? plan_maps(options, *gpu, shape)
+                                                : plan_sphere(options, *gpu, shape);
+    if (!planned) return planned.error();
+    const host::WorkPlan& work = planned->work;
 
     report.gpu = gpu->description();
-    report.method = options.of_prefilter() ? prefilter_method_name(host::PrefilterMethod::chain)
-                                           : method_name(settings_of(options.sphere).method);
-    const auto& images = work->report.images;
+    report.method = planned->method;
+    const auto& images = work.report.images;
     const bool prefiltered = std::any_of(images.begin(), images.end(), [](const auto& image) {
         return image.name.starts_with("map n=") || image.name.starts_with("ladder from");
     });
-    if (prefiltered) report.quality = options.sphere.quality;
+    if (prefiltered) report.quality = planned->quality;
     if (*source) report.sanitised = (*source)->sanitised;
-    report.append(work->report);
-    if (options.json) return options.why ? as_json(report, work->reasons) : as_json(report);
-    return plan_table(*work) + (options.why ? reasons_table(*work) : "");
+    report.expected_error = work.expected_error;
+    report.append(work.report);
+    if (options.json) return options.why ? as_json(report, work.reasons) : as_json(report);
+    return plan_table(work) + (options.why ? reasons_table(work) : "");
 }
 
 int plan_verb(const PlanOptions& options) {
@@ -105,6 +132,7 @@ void add_plan(CLI::App& program, int& status) {
     verb->add_option("ENV", options->environment,
                      "environment map, OpenEXR or Radiance .hdr; default: a built-in one");
     add_sphere_options(*verb, options->sphere);
+    add_tolerance(*verb, options->sphere.tolerance);
     add_parsed(*verb, "--exponents", parse_exponents, &options->exponents, "X,X,...",
                "plan a prefilter of these exponents, and no render");
     verb->add_flag("--lambert", options->lambert, "likewise, with the diffuse lobe");

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <vector>
 
+#include "tolerance.h"
+
 namespace lobelia::cli {
 
 namespace {
@@ -70,7 +72,8 @@ std::string plan_table(const host::WorkPlan& plan) {
                           std::to_string(image.width) + "x" + std::to_string(image.height),
                           std::to_string(image.layers), std::to_string(image.levels), image.format,
                           megabytes(image.bytes), image.lifetime});
-    return in_columns(rows) + "\n" + in_columns(images);
+    return in_columns(rows) + "\n" + in_columns(images) +
+           "\nexpected error: " + error_text(plan.expected_error) + "\n";
 }
 
 std::string reasons_table(const host::WorkPlan& plan) {

@@ -11,6 +11,7 @@
 #include "prefilter_method.h"
 #include "quality.h"
 #include "report.h"
+#include "tolerance.h"
 #include "verbs.h"
 
 namespace lobelia::cli {
@@ -21,9 +22,10 @@ struct PrefilterOptions {
     std::string environment;
     std::vector<float> exponents;
     bool lambert = false;
-    host::PrefilterMethod method = host::PrefilterMethod::chain;
+    std::optional<host::PrefilterMethod> method; // else chain
     std::optional<std::uint32_t> samples;
-    Quality quality = Quality::normal;
+    std::optional<Quality> quality;  // else normal
+    std::optional<double> tolerance; // else none; see meet()
     host::Layout layout = host::Layout::cube;
     std::optional<std::uint32_t> face;
     std::optional<Size> size;
@@ -60,7 +62,10 @@ void check_usage(const PrefilterOptions& options) {
             exponents.end())
             throw CLI::ValidationError("--exponents",
                                        number_text(exponents[i]) + " is there twice");
-    if (options.samples && !takes_samples(options.method))
+    if (options.tolerance && (options.method || options.quality))
+        throw CLI::ValidationError("--tolerance",
+                                   "chooses --method and --quality; leave those out");
+    if (options.samples && !(options.method && takes_samples(*options.method)))
         throw CLI::ValidationError("--samples",
                                    "is for --method importance and filtered-importance");
     if (options.face && options.layout != host::Layout::cube)
@@ -72,8 +77,9 @@ void check_usage(const PrefilterOptions& options) {
 }
 
 host::PrefilterSettings settings_of(const PrefilterOptions& options) {
-    host::PrefilterSettings settings{.method = options.method,
-                                     .quality = options.quality,
+    host::PrefilterSettings settings{.method =
+                                         options.method.value_or(host::PrefilterMethod::chain),
+                                     .quality = options.quality.value_or(Quality::normal),
                                      .exponents = exponents_of(options),
                                      .layout = options.layout,
                                      .levels = options.output.kind == FileKind::ktx2};
@@ -111,11 +117,16 @@ Outcome<Report> prefilter(const PrefilterOptions& options) {
     if (!source) return source.error();
     auto gpu = start_gpu(options.gpu);
     if (!gpu) return gpu.error();
-    const auto environment = upload_source(*gpu, *source, 0, options.quality, progress);
+    host::PrefilterSettings settings = settings_of(options);
+    if (options.tolerance)
+        if (const auto met = meet(*options.tolerance, *gpu, shape_of(*source), settings); !met)
+            return met.error();
+    const auto environment = upload_source(*gpu, *source, 0, settings.quality, progress);
     if (!environment) return environment.error();
+    const auto plan = host::plan_prefilter(*gpu, shape_of(*source), settings);
+    if (!plan) return plan.error();
 
     progress.begin("prefiltering");
-    const host::PrefilterSettings settings = settings_of(options);
     const auto filtered = host::prefilter(*gpu, *environment, settings, progress.listener());
     if (!filtered) return filtered.error();
 
@@ -127,6 +138,7 @@ Outcome<Report> prefilter(const PrefilterOptions& options) {
 
     report.gpu = gpu->description();
     report.method = prefilter_method_name(settings.method);
+    report.expected_error = plan->expected_error;
     if (settings.method == host::PrefilterMethod::chain) report.quality = settings.quality;
     report.sanitised = (*source)->sanitised;
     report.append(environment->report);
@@ -165,6 +177,7 @@ void add_prefilter(CLI::App& program, int& status) {
                "samples of a texel for the two importance methods, 1 to 65535; default: 64");
     add_parsed(*verb, "--quality", parse_quality, &options->quality, "NAME",
                "of the chain: fast, normal (the default) or high");
+    add_tolerance(*verb, options->tolerance);
     add_parsed(*verb, "--layout", parse_layout, &options->layout, "NAME",
                "cube, the default, or latlong");
     add_parsed(*verb, "--face", parse_count, &options->face, "N",

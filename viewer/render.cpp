@@ -10,6 +10,7 @@
 #include "parsed_option.h"
 #include "report.h"
 #include "sphere_options.h"
+#include "tolerance.h"
 #include "verbs.h"
 
 namespace lobelia::cli {
@@ -70,7 +71,7 @@ Outcome<Done> write_picture(const OutputFile& file, const host::Image& picture,
 
 Outcome<Report> render(const RenderOptions& options) {
     Report report;
-    const host::RenderSettings settings = settings_of(options.sphere);
+    host::RenderSettings settings = settings_of(options.sphere);
     if (const auto valid = check(options, settings.view.material); !valid) return valid.error();
 
     ProgressLine progress;
@@ -78,9 +79,14 @@ Outcome<Report> render(const RenderOptions& options) {
     if (!source) return source.error();
     auto gpu = start_gpu(options.gpu);
     if (!gpu) return gpu.error();
+    if (const auto wanted = options.sphere.tolerance)
+        if (const auto met = meet(*wanted, *gpu, shape_of(*source), settings); !met)
+            return met.error();
     const auto environment =
-        upload_source(*gpu, *source, options.sphere.face, options.sphere.quality, progress);
+        upload_source(*gpu, *source, options.sphere.face, settings.quality, progress);
     if (!environment) return environment.error();
+    const auto plan = host::plan_render(*gpu, shape_of(*source), options.sphere.face, settings);
+    if (!plan) return plan.error();
 
     progress.begin("rendering");
     const auto rendering = host::render(*gpu, *environment, settings, progress.listener());
@@ -94,6 +100,7 @@ Outcome<Report> render(const RenderOptions& options) {
 
     report.gpu = gpu->description();
     report.method = method_name(settings.method);
+    report.expected_error = plan->expected_error;
     if (rendering->report.suns) report.quality = settings.quality;
     if (*source) report.sanitised = (*source)->sanitised;
     report.append(environment->report);
@@ -132,6 +139,7 @@ void add_render(CLI::App& program, int& status) {
                      "environment map, OpenEXR or Radiance .hdr; default: a built-in one");
     add_outputs(*verb, *options);
     add_sphere_options(*verb, options->sphere);
+    add_tolerance(*verb, options->sphere.tolerance);
     add_parsed(*verb, "--exposure", parse_number, &options->exposure, "EV",
                "of the PNG, in stops; default 0");
     add_gpu_options(*verb, options->gpu);

@@ -71,6 +71,7 @@ std::string as_json(const Report& report, const std::vector<host::PlanReason>& r
                 {"images", as_array(report.work.images)},
                 {"suns", report.work.suns ? Json(*report.work.suns) : Json()},
                 {"sanitised", as_json(report.sanitised)},
+                {"expected_error", number_or_null(report.expected_error)},
                 {"seconds", passed.count()}};
     if (!reasons.empty()) object["why"] = as_array(reasons);
     return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -96,6 +96,9 @@ void add_sphere_options(CLI::App& verb, SphereOptions& options) {
 }
 
 void check_usage(const SphereOptions& options) {
+    if (options.tolerance && (options.method || options.quality || options.face))
+        throw CLI::ValidationError("--tolerance",
+                                   "chooses --method, --quality and --face; leave those out");
     if (options.samples && options.method != SphereMethod::importance)
         throw CLI::ValidationError("--samples", "is for --method importance");
 }
@@ -103,14 +106,15 @@ void check_usage(const SphereOptions& options) {
 host::RenderSettings settings_of(const SphereOptions& options) {
     // Whole turns change nothing, and would cost the radians their digits.
     const double turn = std::fmod(double(options.rotation), 360.0);
+    const Quality quality = options.quality.value_or(Quality::normal);
     return {.view = {.camera = options.camera,
                      .material = material_of(options),
                      .environment_rotation = float(turn * std::numbers::pi / 180.0),
                      .background = !options.no_background,
                      .width = options.width,
                      .height = options.height},
-            .method = options.method.value_or(host::method_for(options.quality)),
-            .quality = options.quality,
+            .method = options.method.value_or(host::method_for(quality)),
+            .quality = quality,
             .samples = options.samples.value_or(host::RenderSettings{}.samples)};
 }
 

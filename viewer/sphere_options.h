@@ -22,7 +22,8 @@ struct SphereOptions {
     std::uint32_t height = 512;
     std::optional<SphereMethod> method;   // else by the quality
     std::optional<std::uint32_t> samples; // of each lobe
-    Quality quality = Quality::normal;
+    std::optional<Quality> quality;       // else normal
+    std::optional<double> tolerance;      // else none; see meet()
     std::uint32_t face = 0; // of the environment's cube map, texels; 0: as the panorama needs
 };
 

@@ -80,6 +80,10 @@ public:
     /// Whether ClippedTables' image is read.
     bool clipped_tables() const noexcept;
 
+    /// As expected_error.h says, the largest among what the materials show; infinite where nothing
+    /// is promised.
+    double expected_error() const noexcept;
+
     /// Edge of the last level that SphereMethod::kurt2019 reads of its mips, texels.
     static constexpr std::uint32_t KURT2019_FACE = 64;
 

@@ -143,7 +143,7 @@ TEST_F(RenderVerb, PrintsOneJsonObjectWithTheContractsKeys) {
     const Json report =
         Json::parse(run_well({"render", "--size", "16x16", "-o", "a.exr", "--json"}));
     EXPECT_EQ(keys_of(report), (Names{"device", "driver", "method", "quality", "passes", "images",
-                                      "suns", "sanitised", "seconds"}));
+                                      "suns", "sanitised", "expected_error", "seconds"}));
     EXPECT_EQ(report["method"], "two-tap");
     EXPECT_EQ(report["sanitised"], nullptr); // no file was read
     EXPECT_GT(report["seconds"], 0.0);
