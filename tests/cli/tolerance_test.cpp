@@ -22,7 +22,7 @@ protected:
 TEST_F(ToleranceOption, OfRenderPicksFinerMethodsForSmallerErrors) {
     double before = 1e9;
     std::string methods, said;
-    for (const char* tolerance : {"0.5", "0.05", "0.02"}) {
+    for (const char* tolerance : {"0.5", "0.07", "0.03"}) {
         const Json report = json({"render", "--size", "16x16", "--ks", "0.8", "-n", "64", "-o",
                                   "a.exr", "--tolerance", tolerance, "--json"},
                                  said);

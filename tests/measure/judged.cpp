@@ -49,7 +49,9 @@ void keep(const std::string& path, const std::vector<double>& values) {
 
 Judged::Judged(host::Gpu& gpu, std::string name, host::Image panorama, std::string references)
     : gpu_(gpu), name_(std::move(name)), panorama_(std::move(panorama)),
-      references_(std::move(references)) {}
+      references_(std::move(references)), exact_(value_of(Exact::create(gpu.device()))),
+      prefilter_(value_of(Prefilter::create(gpu.device()))),
+      reader_(value_of(MapReader::create(gpu.device()))) {}
 
 std::uint32_t Judged::face(Quality quality) const {
     return host::default_face(panorama_.width, quality);
@@ -57,11 +59,8 @@ std::uint32_t Judged::face(Quality quality) const {
 
 std::vector<double> Judged::map_errors(Quality quality, std::span<const float> exponents) {
     static const Directions directions = oracle::test_directions(DIRECTIONS, 7);
-    const auto exact = value_of(Exact::create(gpu_.device()));
-    const auto prefilter = value_of(Prefilter::create(gpu_.device()));
-    const auto reader = value_of(MapReader::create(gpu_.device()));
     const Environment environment = load(gpu_, panorama_, face(quality));
-    const Maps maps = bind_maps(gpu_, prefilter, environment.cube, exponents, true, quality);
+    const Maps maps = bind_maps(gpu_, prefilter_, environment.cube, exponents, true, quality);
     value_of(gpu_.submit(
         [&](VkCommandBuffer commands) { maps.job.record(commands, 0, maps.plan.pass_count()); }));
     std::vector<double> errors;
@@ -71,9 +70,9 @@ std::vector<double> Judged::map_errors(Quality quality, std::span<const float> e
                                   [&](const auto& truth) { return truth.first == exponent; });
         if (known == map_truths_.end())
             known = map_truths_.insert(
-                known, {exponent, truth(gpu_, exact, environment.lent, exponent, directions)});
+                known, {exponent, truth(gpu_, exact_, environment.lent, exponent, directions)});
         errors.push_back(
-            oracle::measure_error(read(gpu_, reader, maps, i, directions), known->second)
+            oracle::measure_error(read(gpu_, reader_, maps, i, directions), known->second)
                 .pointwise_rms);
     }
     return errors;

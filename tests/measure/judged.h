@@ -34,6 +34,9 @@ private:
     std::string name_;
     host::Image panorama_;
     std::string references_;
+    Exact exact_; // a CPU device compiles what it runs for each pipeline anew
+    Prefilter prefilter_;
+    MapReader reader_;
     std::vector<std::pair<Quality, host::GpuEnvironment>> uploads_;
     std::vector<std::pair<float, std::vector<double>>> map_truths_;
     std::vector<std::pair<float, std::vector<double>>> sphere_truths_;

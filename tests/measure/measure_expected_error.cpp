@@ -1,9 +1,9 @@
 // What lib/expected_error_table.inc holds, and whether it keeps its promise:
 //     measure_expected_error table [--references DIR] > lib/expected_error_table.inc
 //     measure_expected_error check [--references DIR]
-// `table` takes the worst over four hard photographs and a made environment, `check` all others;
-// it prints what was measured over what expected_error.h says, the worst for each lobe, and ends
-// in 1 where that is above 1. DIR keeps the references of spheres, which take minutes.
+// `table` takes the worst over four hard photographs and three made environments, `check` all
+// others; it prints what was measured over what expected_error.h says, the worst for each lobe, and
+// ends in 1 where that is above 1. DIR keeps the references of spheres, which take minutes.
 
 #include <algorithm>
 #include <cstdio>
@@ -11,6 +11,7 @@
 
 #include <lobelia/expected_error.h>
 
+#include "checked_panoramas.h"
 #include "judged.h"
 #include "made_panoramas.h"
 #include "support/real_panoramas.h"
@@ -18,7 +19,8 @@
 namespace lobelia::test {
 namespace {
 
-constexpr const char* TABLE_FROM[] = {"forest", "studio", "sunrise", "interior", "lamps"};
+constexpr const char* TABLE_FROM[] = {"forest", "studio",     "sunrise",       "interior",
+                                      "lamps",  "soft boxes", "noise and suns"};
 constexpr float MAP_EXPONENTS[] = {0,   0.5f, 1,    2,    4.8f, 8,    11,   16,  22,  32,
                                    37,  45,   64,   90,   128,  150,  181,  256, 300, 362,
                                    512, 700,  1024, 1448, 2048, 2896, 4096, 1e4f};
@@ -41,6 +43,9 @@ std::vector<Judged> environments(host::Gpu& gpu, const std::string& references, 
     };
     for (const std::string& name : REAL_PANORAMAS) add(name, real_panorama(name));
     for (const MadePanorama& made : made_panoramas()) add(made.name, made.image);
+    add("sky with suns", sky_with_suns(1024));
+    add("sky with suns, 256", sky_with_suns(256));
+    add("room with window", room_with_window(1024));
     return chosen;
 }
 
@@ -87,9 +92,10 @@ void print_spheres(const char* name, std::size_t size, std::span<const Method> m
 }
 
 void print_table(std::vector<Judged> judged) {
-    std::printf("// Written by measure_expected_error: the worst over");
-    for (const char* name : TABLE_FROM) std::printf(" %s", name);
-    std::printf(".\n\n");
+    std::printf("// Written by measure_expected_error: the worst over\n// ");
+    for (const char* name : TABLE_FROM)
+        std::printf("%s%s", name == TABLE_FROM[0] ? "" : ", ", name);
+    std::printf("\n\n");
     print_exponents("MAP_EXPONENTS", MAP_EXPONENTS);
     std::printf("constexpr double MAP_ERRORS[][%zu] = { // by quality; then Lambert's\n",
                 std::size(MAP_EXPONENTS) + 1);
