@@ -25,7 +25,6 @@ const BadInput BAD_INPUTS[] = {
     {"NoVerb", {}, 2, "lobelia -h"},
     {"UnknownVerb", {"paint"}, 2, "lobelia -h"},
     {"UnknownOption", {"render", "--shininess", "3"}, 2, "--shininess"},
-    {"OptionThatIsNotThereYet", {"render", "--tolerance", "0.1"}, 2, "--tolerance"},
     {"UnknownQuality", {"render", "--quality", "best"}, 2, "fast, normal and high"},
     {"MissingValue", {"render", "--kd"}, 2, "--kd"},
     {"EmptyValue", {"render", "--kd", ""}, 2, "--kd"},
