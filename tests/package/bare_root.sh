@@ -12,26 +12,26 @@ fail() { echo "$*"; exit 1; }
 step 'the package'
 (cd -- "$build" && rm -f lobelia_*.deb && cpack --config CPackConfig.cmake -B "$build" >/dev/null)
 [[ -e $folder/etc/debian_version ]] || debootstrap --variant=minbase bookworm "$folder" >/dev/null
-mkdir -p "$folder/work"
+mkdir -p "$folder/srv"
 mount -t proc proc "$folder/proc"
 mount --bind /dev "$folder/dev"
 trap 'umount -- "$folder"/{proc,dev}' EXIT
-cp -- "$build"/lobelia_*.deb "$folder/work/lobelia.deb"
+cp -- "$build"/lobelia_*.deb "$folder/srv/lobelia.deb"
 inside apt-get -qq update
-add /work/lobelia.deb
+add /srv/lobelia.deb
 
 step 'the program'
-inside sh -c 'cd /work && lobelia render --size 96x96 -o sphere.exr && lobelia devices'
+inside sh -c 'cd /srv && lobelia render --size 96x96 -o sphere.exr && lobelia devices'
 
 step 'the engines'
 add g++ cmake ninja-build glslang-tools libvulkan-dev libvulkan-volk-dev libglfw3-dev vulkan-validationlayers xvfb xauth
-rm -rf -- "$folder"/work/{examples,engines}
-cp -r -- "$source/tests/examples" "$folder/work/examples"
-inside cmake -S /work/examples -B /work/engines -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
-inside ninja -C /work/engines | tail -1
+rm -rf -- "$folder"/srv/{examples,engines}
+cp -r -- "$source/tests/examples" "$folder/srv/examples"
+inside cmake -S /srv/examples -B /srv/engines -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
+inside ninja -C /srv/engines | tail -1
 run() { # CHECKS COMMAND...: without a word of the validation layer
     local heard
-    heard=$(inside env -C /work VK_INSTANCE_LAYERS=VK_LAYER_KHRONOS_validation \
+    heard=$(inside env -C /srv VK_INSTANCE_LAYERS=VK_LAYER_KHRONOS_validation \
         VK_LAYER_ENABLES="VK_VALIDATION_FEATURE_ENABLE_$1_EXT" "${@:2}" 2>&1) || fail "${*:2} failed: $heard"
     ! grep -E 'VUID|SYNC-|UNASSIGNED' <<<"$heard" || fail "${*:2} said: $heard"
 }
@@ -39,11 +39,11 @@ for engine in minimal async render_pass two_devices window; do
     shown=()
     [[ $engine != window ]] || shown=(xvfb-run -a)
     run SYNCHRONIZATION_VALIDATION "${shown[@]}" "engines/$engine" "$engine.pfm"
-    oiiotool "$folder/work/sphere.exr" --ch R,G,B "$folder/work/$engine.pfm" --fail 0 --warn 0 --diff >/dev/null ||
+    oiiotool "$folder/srv/sphere.exr" --ch R,G,B "$folder/srv/$engine.pfm" --fail 0 --warn 0 --diff >/dev/null ||
         fail "$engine shows another picture than the program"
     echo "$engine: silent, the program's picture"
 done
 run SYNCHRONIZATION_VALIDATION engines/mesh knot knot.pfm 480 270 3
 run GPU_ASSISTED engines/minimal again.pfm
-cmp "$folder"/work/{minimal,again}.pfm
+cmp "$folder"/srv/{minimal,again}.pfm
 echo 'mesh: silent; minimal: silent under GPU-assisted validation, too'
