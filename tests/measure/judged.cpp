@@ -1,48 +1,20 @@
 #include "judged.h"
 
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
 
+#include "small_sphere.h"
 #include "support/error_measures.h"
-#include "support/real_panoramas.h"
 
 namespace lobelia::test {
 namespace {
 
 constexpr int DIRECTIONS = 150;
-constexpr std::uint32_t SIZE = 20; // of the sphere's picture, pixels
-constexpr float DIFFUSE = -1;      // stands for the diffuse sphere among exponents
+constexpr float DIFFUSE = -1; // stands for the diffuse sphere among exponents
 
-/// From where measure_sphere sees the panorama, whose references are the same.
-oracle::Direction side_of(const std::string& panorama) {
-    const auto known = std::find(REAL_PANORAMAS.begin(), REAL_PANORAMAS.end(), panorama);
-    const auto sides = oracle::test_directions(int(REAL_PANORAMAS.size()) + 7, 11);
-    return sides[6 + std::size_t(known - REAL_PANORAMAS.begin())];
-}
-
-std::string kept_name(const std::string& panorama, std::optional<float> exponent) {
-    if (!exponent) return panorama + "-diffuse";
-    char text[32];
-    std::snprintf(text, sizeof text, "-n%g", double(*exponent));
-    return panorama + text;
-}
-
-std::vector<double> read_kept(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return {};
-    std::vector<double> values(std::filesystem::file_size(path) / sizeof(double));
-    file.read(reinterpret_cast<char*>(values.data()),
-              std::streamsize(values.size() * sizeof(double)));
-    return values;
-}
-
-void keep(const std::string& path, const std::vector<double>& values) {
-    std::filesystem::create_directories(std::filesystem::path(path).parent_path());
-    std::ofstream(path + ".part", std::ios::binary)
-        .write(reinterpret_cast<const char*>(values.data()),
-               std::streamsize(values.size() * sizeof(double)));
-    std::filesystem::rename(path + ".part", path);
+Material white(std::optional<float> exponent) {
+    Material material{.exponent = exponent.value_or(1.0f)};
+    (exponent ? material.specular : material.diffuse) = {1, 1, 1};
+    return material;
 }
 
 } // namespace
@@ -87,39 +59,19 @@ const host::GpuEnvironment& Judged::upload(Quality quality) {
 
 std::vector<double> Judged::sphere_colours(SphereMethod method, Quality quality,
                                            std::optional<float> exponent) {
-    const oracle::Direction side = side_of(name_);
-    Material material{.exponent = exponent.value_or(1.0f)};
-    (exponent ? material.specular : material.diffuse) = {1, 1, 1};
-    const auto picture =
-        value_of(host::render(gpu_, upload(quality),
-                              {.view = {.camera = {.eye = {float(4 * side.x), float(4 * side.y),
-                                                           float(4 * side.z)}},
-                                        .material = material,
-                                        .background = false,
-                                        .width = SIZE,
-                                        .height = SIZE},
-                               .method = method,
-                               .quality = quality}))
-            .picture;
-    std::vector<double> values;
-    for (std::size_t i = 0; i < picture.texels.size(); i += 4)
-        if (picture.texels[i + 3] == 1.0f)
-            values.insert(values.end(), &picture.texels[i], &picture.texels[i + 3]);
-    return values;
+    const host::RenderSettings settings{
+        .view = small_sphere(name_, white(exponent)), .method = method, .quality = quality};
+    return test::sphere_colours(value_of(host::render(gpu_, upload(quality), settings)).picture);
 }
 
 const std::vector<double>& Judged::sphere_truth(std::optional<float> exponent) {
     const float key = exponent.value_or(DIFFUSE);
     for (const auto& known : sphere_truths_)
         if (known.first == key) return known.second;
-    const std::string path = references_ + "/" + kept_name(name_, exponent);
-    std::vector<double> colours;
-    if (!references_.empty()) colours = read_kept(path);
-    if (colours.empty()) {
-        colours = sphere_colours(SphereMethod::reference, Quality::normal, exponent);
-        if (!references_.empty()) keep(path, colours);
-    }
-    sphere_truths_.emplace_back(key, std::move(colours));
+    sphere_truths_.emplace_back(key, kept_reference(references_, name_, white(exponent), [&] {
+                                    return sphere_colours(SphereMethod::reference, Quality::normal,
+                                                          exponent);
+                                }));
     return sphere_truths_.back().second;
 }
 

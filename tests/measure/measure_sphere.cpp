@@ -14,16 +14,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
-#include <functional>
 #include <map>
 
 #include <CLI/CLI.hpp>
 
 #include "host/sphere_inputs.h"
+#include "small_sphere.h"
 #include "sphere_timing.h"
-#include "support/environments.h"
 #include "support/error_measures.h"
 #include "support/real_panoramas.h"
 
@@ -64,17 +62,6 @@ constexpr Case CASES[] = {
     {"ks, n = 256", white(0, 1, 256)},  {"ks, n = 1024", white(0, 1, 1024)},
 };
 
-constexpr std::uint32_t SMALL = 20; // pixels a side, for errors
-
-/// R G B of the pixels that the sphere covers.
-std::vector<double> sphere_colours(const host::Image& picture) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < picture.texels.size(); i += 4)
-        if (picture.texels[i + 3] == 1.0f)
-            values.insert(values.end(), &picture.texels[i], &picture.texels[i + 3]);
-    return values;
-}
-
 struct Options {
     Quality quality = Quality::normal;
     std::string references; // folder; empty: keeps none
@@ -110,69 +97,29 @@ struct Errors {
     double image[std::size(RUNGS)][std::size(CASES)] = {};
 };
 
-/// Where a panorama is seen from, whatever others are measured beside it.
-oracle::Direction side_of(const std::string& panorama) {
-    const auto known = std::find(REAL_PANORAMAS.begin(), REAL_PANORAMAS.end(), panorama);
-    const auto sides = oracle::test_directions(int(REAL_PANORAMAS.size()) + 7, 11);
-    return sides[6 + std::size_t(known - REAL_PANORAMAS.begin())];
-}
-
-/// What `make` gives, or gave in an earlier run under that name.
-std::vector<double> kept(const std::string& folder, const std::string& name,
-                         const std::function<std::vector<double>()>& make) {
-    if (folder.empty()) return make();
-    std::filesystem::create_directories(folder);
-    const std::string path = folder + "/" + name;
-    if (std::ifstream file(path, std::ios::binary); file) {
-        std::vector<double> values(std::filesystem::file_size(path) / sizeof(double));
-        file.read(reinterpret_cast<char*>(values.data()),
-                  std::streamsize(values.size() * sizeof(double)));
-        return values;
-    }
-    const std::vector<double> values = make();
-    std::ofstream(path + ".part", std::ios::binary)
-        .write(reinterpret_cast<const char*>(values.data()),
-               std::streamsize(values.size() * sizeof(double)));
-    std::filesystem::rename(path + ".part", path);
-    return values;
-}
-
-/// The same for every exponent where the specular lobe is black.
-std::string reference_name(const std::string& panorama, const Material& material) {
-    char exponent[32];
-    std::snprintf(exponent, sizeof exponent, "n%g", double(material.exponent));
-    return panorama + "-" + (material.specular[0] > 0.0f ? exponent : "diffuse");
-}
-
 void add_errors(host::Gpu& gpu, const std::string& panorama, const Options& options,
                 Errors& errors) {
     const auto environment =
         value_of(host::upload_environment(gpu, real_panorama(panorama), 0, options.quality));
-    const oracle::Direction side = side_of(panorama);
     for (std::size_t i = 0; i < std::size(CASES); ++i) {
-        host::RenderSettings settings{
-            .view = {.camera = {.eye = {float(4 * side.x), float(4 * side.y), float(4 * side.z)}},
-                     .material = CASES[i].material,
-                     .background = false,
-                     .width = SMALL,
-                     .height = SMALL},
-            .quality = options.quality};
+        const Material& material = CASES[i].material;
+        host::RenderSettings settings{.view = small_sphere(panorama, material),
+                                      .quality = options.quality};
         const auto drawn = [&](SphereMethod method, std::uint32_t samples) {
             settings.method = method;
             settings.samples = samples;
             return sphere_colours(value_of(host::render(gpu, environment, settings)).picture);
         };
         const std::vector<double> exact =
-            kept(options.references, reference_name(panorama, CASES[i].material),
-                 [&] { return drawn(SphereMethod::reference, 1); });
+            kept_reference(options.references, panorama, material,
+                           [&] { return drawn(SphereMethod::reference, 1); });
         for (std::size_t k = 0; k < std::size(RUNGS); ++k) {
             if (!is_measured(RUNGS[k], options)) continue;
             const auto error =
                 oracle::measure_error(drawn(RUNGS[k].method, RUNGS[k].samples), exact);
             errors.pointwise[k][i] += error.pointwise_rms;
             errors.image[k][i] += error.image_rms;
-            if (!options.table.empty())
-                add_row(options, panorama, RUNGS[k], CASES[i].material, error);
+            if (!options.table.empty()) add_row(options, panorama, RUNGS[k], material, error);
         }
     }
 }
