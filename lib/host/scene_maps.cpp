@@ -35,7 +35,8 @@ struct SceneMaps::State {
     std::vector<PassReport> reports{}; // of the passes to run, each with what it records
     std::vector<std::function<void(VkCommandBuffer)>> records{};
     std::size_t next = 0;
-    std::size_t level_passes = 0; // once that many have run there are levels to share
+    std::size_t level_passes = 0;             // once that many have run there are levels to share
+    std::optional<std::size_t> tables_pass{}; // the one that makes the tables that all share
 
     Outcome<Done> bind(const GpuEnvironment& environment, const GpuImage& source,
                        const State* before);
@@ -128,11 +129,10 @@ Outcome<Done> SceneMaps::State::bind_tables() {
         passes.tables = std::move(*upload);
     }
     sources.clipped_tables = passes.tables->image.view();
-    if (!passes.tables_are_there)
-        add(report_of(*find_pass(plan, "clipped tables")), [this](VkCommandBuffer commands) {
-            passes.tables->record(commands);
-            passes.tables_are_there = true;
-        });
+    if (passes.tables_are_there) return Done{};
+    tables_pass = records.size();
+    add(report_of(*find_pass(plan, "clipped tables")),
+        [this](VkCommandBuffer commands) { passes.tables->record(commands); });
     return Done{};
 }
 
@@ -165,6 +165,7 @@ Outcome<PassReport> SceneMaps::State::run_next() {
     PassReport report = reports[next];
     if (const auto done = host::run_pass(passes.gpu, report, records[next]); !done)
         return done.error();
+    if (next == tables_pass) passes.tables_are_there = true;
     ++next;
     if (next == records.size() && job && !job->plan.shares_levels(job->plan)) {
         maps = std::move(job->maps); // without the levels
