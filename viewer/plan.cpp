@@ -48,17 +48,10 @@ struct Planned {
     Quality quality = Quality::normal;
 };
 
-template <class Settings>
-Outcome<Done> meet_tolerance(const PlanOptions& options, const host::Gpu& gpu,
-                             const host::EnvironmentShape& environment, Settings& settings) {
-    if (!options.sphere.tolerance) return Done{};
-    return meet(*options.sphere.tolerance, gpu, environment, settings);
-}
-
 Outcome<Planned> plan_maps(const PlanOptions& options, host::Gpu& gpu,
                            const host::EnvironmentShape& environment) {
     host::PrefilterSettings settings = prefilter_settings(options);
-    if (const auto met = meet_tolerance(options, gpu, environment, settings); !met)
+    if (const auto met = meet(options.sphere.tolerance, gpu, environment, settings); !met)
         return met.error();
     const auto rates = host::measure_rates(gpu, settings);
     if (!rates) return rates.error();
@@ -73,7 +66,7 @@ Outcome<Planned> plan_sphere(const PlanOptions& options, host::Gpu& gpu,
     if (const auto refused =
             host::check_material(settings.view.material, options.sphere.allow_energy_gain))
         return *refused;
-    if (const auto met = meet_tolerance(options, gpu, environment, settings); !met)
+    if (const auto met = meet(options.sphere.tolerance, gpu, environment, settings); !met)
         return met.error();
     const auto rates = host::measure_rates(gpu, settings);
     if (!rates) return rates.error();
@@ -105,7 +98,6 @@ Outcome<std::string> plan(const PlanOptions& options) {
     });
     if (prefiltered) report.quality = planned->quality;
     if (*source) report.sanitised = (*source)->sanitised;
-    report.expected_error = work.expected_error;
     report.append(work.report);
     if (options.json) return options.why ? as_json(report, work.reasons) : as_json(report);
     return plan_table(work) + (options.why ? reasons_table(work) : "");

@@ -73,7 +73,7 @@ std::string plan_table(const host::WorkPlan& plan) {
                           std::to_string(image.layers), std::to_string(image.levels), image.format,
                           megabytes(image.bytes), image.lifetime});
     return in_columns(rows) + "\n" + in_columns(images) +
-           "\nexpected error: " + error_text(plan.expected_error) + "\n";
+           "\nexpected error: " + error_text(plan.report.expected_error) + "\n";
 }
 
 std::string reasons_table(const host::WorkPlan& plan) {

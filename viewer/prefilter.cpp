@@ -118,13 +118,10 @@ Outcome<Report> prefilter(const PrefilterOptions& options) {
     auto gpu = start_gpu(options.gpu);
     if (!gpu) return gpu.error();
     host::PrefilterSettings settings = settings_of(options);
-    if (options.tolerance)
-        if (const auto met = meet(*options.tolerance, *gpu, shape_of(*source), settings); !met)
-            return met.error();
+    if (const auto met = meet(options.tolerance, *gpu, shape_of(*source), settings); !met)
+        return met.error();
     const auto environment = upload_source(*gpu, *source, 0, settings.quality, progress);
     if (!environment) return environment.error();
-    const auto plan = host::plan_prefilter(*gpu, shape_of(*source), settings);
-    if (!plan) return plan.error();
 
     progress.begin("prefiltering");
     const auto filtered = host::prefilter(*gpu, *environment, settings, progress.listener());
@@ -138,7 +135,6 @@ Outcome<Report> prefilter(const PrefilterOptions& options) {
 
     report.gpu = gpu->description();
     report.method = prefilter_method_name(settings.method);
-    report.expected_error = plan->expected_error;
     if (settings.method == host::PrefilterMethod::chain) report.quality = settings.quality;
     report.sanitised = (*source)->sanitised;
     report.append(environment->report);

@@ -79,14 +79,11 @@ Outcome<Report> render(const RenderOptions& options) {
     if (!source) return source.error();
     auto gpu = start_gpu(options.gpu);
     if (!gpu) return gpu.error();
-    if (const auto wanted = options.sphere.tolerance)
-        if (const auto met = meet(*wanted, *gpu, shape_of(*source), settings); !met)
-            return met.error();
+    if (const auto met = meet(options.sphere.tolerance, *gpu, shape_of(*source), settings); !met)
+        return met.error();
     const auto environment =
         upload_source(*gpu, *source, options.sphere.face, settings.quality, progress);
     if (!environment) return environment.error();
-    const auto plan = host::plan_render(*gpu, shape_of(*source), options.sphere.face, settings);
-    if (!plan) return plan.error();
 
     progress.begin("rendering");
     const auto rendering = host::render(*gpu, *environment, settings, progress.listener());
@@ -100,7 +97,6 @@ Outcome<Report> render(const RenderOptions& options) {
 
     report.gpu = gpu->description();
     report.method = method_name(settings.method);
-    report.expected_error = plan->expected_error;
     if (rendering->report.suns) report.quality = settings.quality;
     if (*source) report.sanitised = (*source)->sanitised;
     report.append(environment->report);

@@ -59,6 +59,7 @@ void Report::append(const host::WorkReport& more) {
     work.passes.insert(work.passes.end(), more.passes.begin(), more.passes.end());
     work.images.insert(work.images.end(), more.images.begin(), more.images.end());
     if (more.suns) work.suns = more.suns;
+    work.expected_error = std::max(work.expected_error, more.expected_error);
 }
 
 std::string as_json(const Report& report, const std::vector<host::PlanReason>& reasons) {
@@ -71,7 +72,7 @@ std::string as_json(const Report& report, const std::vector<host::PlanReason>& r
                 {"images", as_array(report.work.images)},
                 {"suns", report.work.suns ? Json(*report.work.suns) : Json()},
                 {"sanitised", as_json(report.sanitised)},
-                {"expected_error", number_or_null(report.expected_error)},
+                {"expected_error", number_or_null(report.work.expected_error)},
                 {"seconds", passed.count()}};
     if (!reasons.empty()) object["why"] = as_array(reasons);
     return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -18,7 +18,6 @@ struct Report {
     std::string method;
     std::optional<Quality> quality;           // of the prefilter, if there was one
     std::optional<host::Sanitised> sanitised; // of the environment's file, if there was one
-    double expected_error = 0;                // of the plan; infinite where nothing is promised
     host::WorkReport work;
 
     /// Adds what was done after what is there.

@@ -55,9 +55,12 @@ Outcome<double> parse_tolerance(std::string_view text) {
     return host::Failure{"\"" + std::string(text) + "\" is no error; give a number above 0"};
 }
 
-/// Tries rung after rung by `expect`, which gives its name and expected error.
-Outcome<Done> climb(double tolerance, std::size_t count,
+/// Tries rung after rung by `expect`, which gives its name and expected error, until one is good
+/// enough; none where nothing is wanted.
+Outcome<Done> climb(std::optional<double> wanted, std::size_t count,
                     const std::function<Outcome<Rung>(std::size_t)>& expect) {
+    if (!wanted) return Done{};
+    const double tolerance = *wanted;
     std::optional<Rung> best;
     for (std::size_t i = 0; i < count; ++i) {
         const auto rung = expect(i);
@@ -65,7 +68,7 @@ Outcome<Done> climb(double tolerance, std::size_t count,
         if (rung->expected <= tolerance) {
             say("--tolerance " + error_text(tolerance) + ": " + rung->name + ", expected error " +
                 error_text(rung->expected) +
-                (best ? "; the best that is cheaper, " + best->name + ", is expected at " +
+                (best ? "; the best that is cheaper is " + best->name + ", expected error " +
                             error_text(best->expected)
                       : ", is the cheapest"));
             return Done{};
@@ -86,7 +89,7 @@ void add_tolerance(CLI::App& verb, std::optional<double>& tolerance) {
 }
 
 std::string error_text(double error) {
-    if (!std::isfinite(error)) return "nothing is promised";
+    if (!std::isfinite(error)) return "not promised";
     char text[32];
     const auto end = std::to_chars(text, text + sizeof text, error, std::chars_format::general, 2);
     return std::string(text, end.ptr);
@@ -96,7 +99,7 @@ host::EnvironmentShape shape_of(const std::optional<host::Environment>& source) 
     return source ? host::shape_of(source->image) : host::builtin_shape();
 }
 
-Outcome<Done> meet(double tolerance, const host::Gpu& gpu,
+Outcome<Done> meet(std::optional<double> tolerance, const host::Gpu& gpu,
                    const host::EnvironmentShape& environment, host::RenderSettings& settings) {
     return climb(tolerance, std::size(SPHERE_RUNGS), [&](std::size_t i) -> Outcome<Rung> {
         settings.method = SPHERE_RUNGS[i].method;
@@ -106,11 +109,11 @@ Outcome<Done> meet(double tolerance, const host::Gpu& gpu,
         std::string name = method_name(settings.method);
         if (settings.method != SphereMethod::reference)
             name += std::string(" at quality ") + quality_name(settings.quality);
-        return Rung{name, plan->expected_error};
+        return Rung{name, plan->report.expected_error};
     });
 }
 
-Outcome<Done> meet(double tolerance, const host::Gpu& gpu,
+Outcome<Done> meet(std::optional<double> tolerance, const host::Gpu& gpu,
                    const host::EnvironmentShape& environment, host::PrefilterSettings& settings) {
     return climb(tolerance, std::size(MAP_RUNGS), [&](std::size_t i) -> Outcome<Rung> {
         settings.method = MAP_RUNGS[i].method;
@@ -120,7 +123,7 @@ Outcome<Done> meet(double tolerance, const host::Gpu& gpu,
         std::string name = prefilter_method_name(settings.method);
         if (settings.method == host::PrefilterMethod::chain)
             name += std::string(" at quality ") + quality_name(settings.quality);
-        return Rung{name, plan->expected_error};
+        return Rung{name, plan->report.expected_error};
     });
 }
 

@@ -13,17 +13,17 @@ namespace lobelia::cli {
 /// Adds --tolerance, for verbs that plan before they work.
 void add_tolerance(CLI::App& verb, std::optional<double>& tolerance);
 
-/// Two digits, or "nothing is promised" where it is infinite.
+/// Two digits, or "not promised" where it is infinite.
 std::string error_text(double error);
 
 /// What `host::plan_render` and `plan_prefilter` take: that of the file, or the built-in one's.
 host::EnvironmentShape shape_of(const std::optional<host::Environment>& source);
 
-/// Changes method and quality to the cheapest whose expected error meets `tolerance`, and says
-/// which and why. Refuses what none can promise, naming the least that one can.
-host::Outcome<Done> meet(double tolerance, const host::Gpu& gpu,
+/// Changes method and quality to the cheapest whose expected error meets `tolerance`, if there is
+/// one, and says which and why. Refuses what none can promise, naming the least that one can.
+host::Outcome<Done> meet(std::optional<double> tolerance, const host::Gpu& gpu,
                          const host::EnvironmentShape& environment, host::RenderSettings& settings);
-host::Outcome<Done> meet(double tolerance, const host::Gpu& gpu,
+host::Outcome<Done> meet(std::optional<double> tolerance, const host::Gpu& gpu,
                          const host::EnvironmentShape& environment,
                          host::PrefilterSettings& settings);
 

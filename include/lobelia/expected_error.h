@@ -23,8 +23,8 @@ LOBELIA_API double expected_map_error(Quality quality, float exponent,
 LOBELIA_API double expected_lambert_error(Quality quality, std::uint32_t source_size) noexcept;
 
 /// Of a sphere that shows one lobe alone; exponents from `least` to `most`, the largest among them.
-/// kurt2019, importance and plain_split_sum promise nothing, nor do sh2 and sh4,
-/// which ring around suns, nor split_sum of its specular lobe, which shows suns below the horizon.
+/// kurt2019, importance and plain_split_sum promise nothing, nor do sh2 and sh4, which ring around
+/// suns, nor split_sum of its specular lobe, which shows suns below the horizon.
 LOBELIA_API double expected_diffuse_error(SphereMethod method, Quality quality,
                                           std::uint32_t source_size) noexcept;
 LOBELIA_API double expected_specular_error(SphereMethod method, Quality quality, float least,

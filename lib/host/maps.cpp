@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <limits>
+
+#include <lobelia/expected_error.h>
 
 #include "host/averages.h"
 #include "host/resize.h"
@@ -152,6 +155,15 @@ std::uint32_t sun_count(const PrefilteredMaps& maps) {
     std::uint32_t suns = 0;
     std::memcpy(&suns, maps.state.data() + SUN_COUNT_OFFSET, sizeof suns);
     return suns;
+}
+
+double expected_error(const PrefilterSettings& settings, std::uint32_t source_size) {
+    if (settings.method == PrefilterMethod::exact) return EXPECTED_EXACT_ERROR;
+    if (settings.method != PrefilterMethod::chain) return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (const float exponent : settings.exponents)
+        largest = std::max(largest, expected_map_error(settings.quality, exponent, source_size));
+    return largest;
 }
 
 std::vector<ImageReport> map_reports(const PrefilterPlan& plan) {

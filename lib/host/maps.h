@@ -47,6 +47,10 @@ Outcome<MapsJob> bind_maps(Gpu& gpu, const Prefilter& prefilter, const GpuImage&
 Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,
                                    const PrefilterPlan& plan, const Progress& progress);
 
+/// The error to expect of maps that are asked for so, from faces of `source_size` texels: the
+/// largest among theirs.
+double expected_error(const PrefilterSettings& settings, std::uint32_t source_size);
+
 /// What a report says of the plan's maps.
 std::vector<ImageReport> map_reports(const PrefilterPlan& plan);
 

@@ -1,10 +1,5 @@
 #include <lobelia/host/plan.h>
 
-#include <algorithm>
-#include <limits>
-
-#include <lobelia/expected_error.h>
-
 #include "host/averages.h"
 #include "host/environment_plan.h"
 #include "host/importance.h"
@@ -91,16 +86,6 @@ void add_by_texel(Draft& draft, const EnvironmentShape& environment, std::uint32
     }
 }
 
-/// The largest among the maps'.
-double expected_error(const PrefilterSettings& settings, std::uint32_t source_size) {
-    if (settings.method == PrefilterMethod::exact) return EXPECTED_EXACT_ERROR;
-    if (settings.method != PrefilterMethod::chain) return std::numeric_limits<double>::infinity();
-    double largest = 0;
-    for (const float exponent : settings.exponents)
-        largest = std::max(largest, expected_map_error(settings.quality, exponent, source_size));
-    return largest;
-}
-
 } // namespace
 
 double predicted_milliseconds(const Rates& rates, const std::string& name, double work) {
@@ -125,7 +110,7 @@ Outcome<WorkPlan> plan_render(const Gpu& gpu, const EnvironmentShape& environmen
     for (const ScenePass& pass : plan->passes()) draft.add(report_of(pass), pass.work);
     draft.add(image_reports(*plan));
     WorkPlan work{std::move(draft).predicted(gpu, rates), {}};
-    work.expected_error = plan->expected_error();
+    work.report.expected_error = plan->expected_error();
     if (environment.constant) work.report.suns = 0;
     auto reasons = render_reasons(gpu, {around.face, environment.constant}, settings, rates);
     if (!reasons) return reasons.error();
@@ -137,19 +122,19 @@ Outcome<WorkPlan> plan_prefilter(const Gpu& gpu, const EnvironmentShape& environ
                                  const PrefilterSettings& settings, const Rates& rates) {
     if (const auto valid = check_prefilter(settings); !valid) return valid.error();
     const EnvironmentPlan around = plan_environment(environment, 0, settings.quality);
-    const double expected = expected_error(settings, prefilter_face(around.face));
     Draft draft;
     draft.add(around);
+    draft.report.expected_error = expected_error(settings, prefilter_face(around.face));
     if (settings.method != PrefilterMethod::chain) {
         add_by_texel(draft, environment, prefilter_face(around.face), gpu, settings);
-        return WorkPlan{std::move(draft).predicted(gpu, rates), {}, expected};
+        return WorkPlan{std::move(draft).predicted(gpu, rates), {}};
     }
     const auto plan = PrefilterPlan::make({.exponents = settings.exponents,
                                            .quality = settings.quality,
                                            .source_size = prefilter_face(around.face)});
     if (!plan) return core_failure(plan.error());
     add_chain(draft, *plan, settings);
-    WorkPlan work{std::move(draft).predicted(gpu, rates), {}, expected};
+    WorkPlan work{std::move(draft).predicted(gpu, rates), {}};
     auto reasons = prefilter_reasons(prefilter_face(around.face), settings, rates);
     if (!reasons) return reasons.error();
     work.reasons = std::move(*reasons);

@@ -106,10 +106,8 @@ Outcome<Prefiltering> by_chain(Gpu& gpu, const GpuEnvironment& environment,
     return result;
 }
 
-Outcome<Prefiltering> make_prefiltering(Gpu& gpu, const GpuEnvironment& environment,
-                                        const PrefilterSettings& settings,
-                                        const Progress& progress) {
-    if (const auto valid = check_prefilter(settings); !valid) return valid.error();
+Outcome<Prefiltering> by_method(Gpu& gpu, const GpuEnvironment& environment,
+                                const PrefilterSettings& settings, const Progress& progress) {
     switch (settings.method) {
     case PrefilterMethod::chain: break;
     case PrefilterMethod::importance:
@@ -118,6 +116,17 @@ Outcome<Prefiltering> make_prefiltering(Gpu& gpu, const GpuEnvironment& environm
     case PrefilterMethod::exact: return by_exact(gpu, environment, settings, progress);
     }
     return by_chain(gpu, environment, settings, progress);
+}
+
+Outcome<Prefiltering> make_prefiltering(Gpu& gpu, const GpuEnvironment& environment,
+                                        const PrefilterSettings& settings,
+                                        const Progress& progress) {
+    if (const auto valid = check_prefilter(settings); !valid) return valid.error();
+    auto made = by_method(gpu, environment, settings, progress);
+    if (made)
+        made->report.expected_error =
+            expected_error(settings, prefilter_face(environment.cube.description().width));
+    return made;
 }
 
 } // namespace

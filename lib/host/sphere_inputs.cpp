@@ -85,6 +85,7 @@ Outcome<SphereInputs> make_sphere_inputs(Gpu& gpu, const GpuEnvironment& environ
         if (!made) return made.error();
     }
     inputs.report.images = image_reports(inputs.plan);
+    inputs.report.expected_error = inputs.plan.expected_error();
     if (inputs.plan.draws()) inputs.bytes = inputs.plan.passes().back().bytes_read;
     return inputs;
 }

@@ -39,7 +39,6 @@ struct PlanReason {
 struct WorkPlan {
     WorkReport report;
     std::vector<PlanReason> reasons;
-    double expected_error = 0; // as in lobelia/expected_error.h
 };
 
 /// What bringing the environment to the device and render() record; nothing of it runs. `face` is

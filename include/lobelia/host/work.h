@@ -42,6 +42,7 @@ struct WorkReport {
     std::vector<PassReport> passes;
     std::vector<ImageReport> images;
     std::optional<std::uint32_t> suns; // taken out of the maps, where there was a prefilter
+    double expected_error = 0;         // as in lobelia/expected_error.h, of maps and sphere
 };
 
 /// An environment on the device: the panorama as it was read, if it was one, and the cube map made
