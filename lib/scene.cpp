@@ -13,6 +13,7 @@
 #include <lobelia/expected_error.h>
 #include <lobelia/irradiance.h>
 
+#include "prefilter_tiers.h"
 #include "vk/guard.h"
 
 namespace lobelia {
@@ -21,6 +22,9 @@ namespace {
 
 constexpr std::uint64_t FLOAT_BYTES = 16, HALF_BYTES = 8; // of a texel
 constexpr std::uint32_t FACES = 6;
+constexpr const char* BLURRED_BACKGROUND = "blurred background"; // a pass, and its image
+constexpr double BACKGROUND_TEXELS_PER_SIGMA =
+    2.8; // as ladders of quality high, read bilinearly too
 constexpr VkImageUsageFlags MAP_USAGE = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
 
 bool is_black(const std::array<float, 3>& colour) {
@@ -100,14 +104,31 @@ struct ScenePlan::State {
     std::vector<SceneResource> resources;
     std::deque<std::string> names; // of resources
     std::uint64_t read = 0;        // bytes, by the draw
+    std::optional<std::size_t> background_map;
 
     Result<Done> fill(const Scene& from);
 
 private:
-    Result<Done> plan_maps(const Exponents& exponents);
+    /// Maps to ask the prefilter for.
+    struct Wanted {
+        std::vector<float> exponents;
+        bool lambert = false;
+        Ladder ladder{};
+
+        bool any() const { return lambert || ladder.rungs || !exponents.empty(); }
+        /// Of the map of that exponent, wanted from now on.
+        std::size_t index_of(float exponent) {
+            const auto found = std::find(exponents.begin(), exponents.end(), exponent);
+            const std::size_t index = std::size_t(found - exponents.begin());
+            if (found == exponents.end()) exponents.push_back(exponent);
+            return index;
+        }
+    };
+    Result<Done> plan_maps(const Exponents& shining, Wanted& wanted);
     void plan_other_maps();
-    Result<Done> add_prefilter(PrefilterRequest request);
+    Result<Done> add_prefilter(const Wanted& wanted, std::size_t shown);
     void add_tables();
+    void add_blurred_background();
     void add_mips(std::uint32_t last_face);
     void add_irradiance();
     void add_draw();
@@ -137,48 +158,58 @@ Result<Done> ScenePlan::State::fill(const Scene& from) {
         shading.specular = shading.specular || !is_black(material.specular);
         expected_error = std::max(expected_error, expected_of(material, scene));
     }
-    if (scene.background) read += source_bytes(scene.background_size);
     const bool lit = shading.diffuse || shading.specular;
     environment_is_its_maps = lit && scene.constant && reads_maps(scene.method);
     if (environment_is_its_maps) expected_error = EXPECTED_EXACT_ERROR;
+    Wanted wanted;
     if (!lit || environment_is_its_maps)
         shading.method = SphereMethod::plain_split_sum;
     else if (reads_maps(scene.method)) {
-        if (const auto planned = plan_maps(exponents_of(from)); !planned) return planned.error();
+        if (const auto planned = plan_maps(exponents_of(from), wanted); !planned)
+            return planned.error();
     } else
         plan_other_maps();
-    if (environment_is_its_maps && !scene.background) read += source_bytes(scene.background_size);
+    const std::size_t shown_maps = wanted.exponents.size();
+    const bool sharp = scene.background_exponent == std::numeric_limits<float>::infinity();
+    if (scene.background && !scene.constant && !sharp)
+        background_map = wanted.index_of(scene.background_exponent);
+    if (wanted.any())
+        if (const auto added = add_prefilter(wanted, shown_maps); !added) return added.error();
+    if (wanted.ladder.rungs) add_tables();
+    if (background_map)
+        add_blurred_background();
+    else if (scene.background || environment_is_its_maps)
+        read += source_bytes(scene.background_size);
     if (lit || scene.background) add_draw();
     return Done{};
 }
 
-Result<Done> ScenePlan::State::plan_maps(const Exponents& exponents) {
+Result<Done> ScenePlan::State::plan_maps(const Exponents& shining, Wanted& wanted) {
     const auto taps = taps_of(scene.method);
-    PrefilterRequest request{.lambert = shading.diffuse,
-                             .quality = scene.quality,
-                             .levels_up_to = scene.levels_up_to,
-                             .source_size = scene.source_size};
-    if (has_harmonics(scene.method)) {
-        request.lambert = false;
-        if (shading.diffuse) add_irradiance();
-        if (!shading.specular) return Done{};
-    }
+    wanted.lambert = shading.diffuse && !has_harmonics(scene.method);
+    if (shading.diffuse && has_harmonics(scene.method)) add_irradiance();
     if (taps && !shading.specular) shading.method = SphereMethod::split_sum; // no horizon to cut
-    if (taps && shading.specular) {
-        request.ladder = ladder_for(*taps, exponents.least, exponents.most);
+    if (!shading.specular) return Done{};
+    if (taps) {
+        wanted.ladder = ladder_for(*taps, shining.least, shining.most);
         shading.suns = scene.suns != Suns::none;
-        if (const auto added = add_prefilter(request); !added) return added.error();
-        add_tables();
         return Done{};
     }
-    if (exponents.vary)
+    if (shining.vary)
         return Error{VK_ERROR_VALIDATION_FAILED_EXT,
                      "exponents that vary are for one_tap, two_tap and hybrid"};
-    request.exponents = exponents.all;
-    return add_prefilter(request);
+    wanted.exponents = shining.all;
+    return Done{};
 }
 
-Result<Done> ScenePlan::State::add_prefilter(PrefilterRequest request) {
+/// Of the maps of exponents the draw reads the first `shown`.
+Result<Done> ScenePlan::State::add_prefilter(const Wanted& wanted, std::size_t shown) {
+    const PrefilterRequest request{.exponents = wanted.exponents,
+                                   .lambert = wanted.lambert,
+                                   .ladder = wanted.ladder,
+                                   .quality = scene.quality,
+                                   .levels_up_to = scene.levels_up_to,
+                                   .source_size = scene.source_size};
     auto plan = PrefilterPlan::make(request);
     if (!plan) return plan.error();
     for (std::uint32_t i = 0; i < plan->pass_count(); ++i) {
@@ -187,12 +218,14 @@ Result<Done> ScenePlan::State::add_prefilter(PrefilterRequest request) {
             {pass.name, 1, pass.invocations, pass.bytes_read, pass.bytes_written, pass.work});
     }
     const auto texels = [](std::uint64_t size) { return FACES * size * size; };
-    for (const PrefilteredMap& map : plan->maps()) {
+    for (std::size_t i = 0; i < plan->maps().size(); ++i) {
+        const PrefilteredMap& map = plan->maps()[i];
         names.push_back("map n=" + exponent_text(map.exponent));
         keep({names.back().c_str(), request.map_format, map.size, map.size, FACES, 1,
               texels(map.size) * HALF_BYTES, MAP_USAGE});
+        if (i == shown && background_map == i) read -= texels(map.size) * HALF_BYTES;
     }
-    if (!request.exponents.empty()) shading.specular_filter = plan->maps().front().filter;
+    if (shown > 0) shading.specular_filter = plan->maps().front().filter;
     if (const Ladder ladder = plan->ladder(); ladder.rungs) {
         names.push_back("ladder from n=" + exponent_text(ladder.lowest));
         keep({names.back().c_str(), request.map_format, plan->ladder_size(), plan->ladder_size(),
@@ -223,6 +256,19 @@ void ScenePlan::State::add_tables() {
          .bytes = BYTES,
          .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
          .kept = false});
+}
+
+void ScenePlan::State::add_blurred_background() {
+    const PrefilteredMap& map = prefilter->maps()[*background_map];
+    const std::uint32_t size =
+        in_steps(2 * BACKGROUND_TEXELS_PER_SIGMA * std::sqrt(double(map.exponent)), LEAST_MAP_SIZE,
+                 scene.source_size);
+    const std::uint64_t texels = std::uint64_t(FACES) * size * size;
+    passes.push_back({BLURRED_BACKGROUND, 1, texels,
+                      std::uint64_t(FACES) * map.size * map.size * HALF_BYTES, texels * FLOAT_BYTES,
+                      double(texels)});
+    keep({BLURRED_BACKGROUND, VK_FORMAT_R32G32B32A32_SFLOAT, size, size, FACES, 1,
+          texels * FLOAT_BYTES, MAP_USAGE});
 }
 
 /// Of methods that read no map of the prefilter.
@@ -308,6 +354,9 @@ double ScenePlan::expected_error() const noexcept {
 }
 bool ScenePlan::clipped_tables() const noexcept {
     return state_->prefilter && state_->prefilter->ladder().rungs > 0;
+}
+const PrefilteredMap* ScenePlan::background_map() const noexcept {
+    return state_->background_map ? &state_->prefilter->maps()[*state_->background_map] : nullptr;
 }
 std::span<const ScenePass> ScenePlan::passes() const noexcept {
     return state_->passes;

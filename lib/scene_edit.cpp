@@ -29,6 +29,13 @@ bool serves(const PrefilterPlan& before, const PrefilterPlan& after) {
     });
 }
 
+/// Whether the blurred background that the later plan has, if any, is there.
+bool same_background(const ScenePlan& before, const ScenePlan& after) {
+    const PrefilteredMap* const made = before.background_map();
+    const PrefilteredMap* const wanted = after.background_map();
+    return !wanted || (made && made->exponent == wanted->exponent);
+}
+
 } // namespace
 
 SceneEdit edit_between(const ScenePlan& before, const ScenePlan& after) noexcept {
@@ -41,7 +48,7 @@ SceneEdit edit_between(const ScenePlan& before, const ScenePlan& after) noexcept
     };
     const PrefilterPlan* const made = before.prefilter();
     const PrefilterPlan* const wanted = after.prefilter();
-    if (wanted && !(made && serves(*made, *wanted)))
+    if (wanted && !(made && serves(*made, *wanted) && same_background(before, after)))
         edit.maps = made && wanted->shares_levels(*made) ? SceneEdit::Maps::from_levels
                                                          : SceneEdit::Maps::anew;
     for (const ScenePass& pass : after.passes())

@@ -10,17 +10,16 @@ class BlurredBackground {
 public:
     /// Goes on until `end` with the map that `state` asks for, and adds what was run to `work`.
     /// Until it is there the one before is shown.
-    host::Outcome<Done> update(host::Gpu& gpu, Lights& lights, const ViewState& state,
-                               FrameWork& work, std::chrono::steady_clock::time_point end);
+    host::Outcome<Done> update(Lights& lights, const ViewState& state, FrameWork& work,
+                               std::chrono::steady_clock::time_point end);
     bool is_ready() const { return ready_; }
     void forget(); // the environment is another one, or none is asked for any more
 
-    /// Null where the background is not blurred.
-    VkImageView view() const { return map_ ? map_->view() : VK_NULL_HANDLE; }
-    std::uint64_t version() const { return version_; } // of what it shows
+    const Lights::Light* light() const { return light_; } // shown now; null where it is sharp
+    std::uint64_t version() const { return version_; }    // of what it shows
 
 private:
-    std::optional<host::GpuImage> map_;
+    const Lights::Light* light_ = nullptr;
     float blurred_by_ = -1.0f; // exponent
     bool ready_ = true;
     std::uint64_t version_ = 0;

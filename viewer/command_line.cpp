@@ -44,6 +44,7 @@ std::string command_line(const ViewState& state, VkExtent2D size) {
     if (state.rotation != 0.0f) add("--rotate " + number_text(state.rotation));
     if (state.exposure != 0.0f) add("--exposure " + number_text(state.exposure));
     if (state.background == Background::off) add("--no-background");
+    if (state.background == Background::blurred) add("--blur " + number_text(state.blur));
     add("--size " + std::to_string(size.width) + "x" + std::to_string(size.height));
     return command;
 }
@@ -60,8 +61,6 @@ host::Metadata metadata_of(const ViewState& state, VkExtent2D size) {
         metadata.emplace_back("lobelia:divider", number_text(state.divider));
     }
     if (state.errors) metadata.emplace_back("lobelia:shows", "errors");
-    if (state.background == Background::blurred)
-        metadata.emplace_back("lobelia:background", "blurred, n " + number_text(state.blur));
     return metadata;
 }
 

@@ -70,8 +70,9 @@ Outcome<Lights::Light*> Lights::advance(const ScenePlan& plan, SphereMethod meth
     return &*found;
 }
 
-void Lights::trim(const Light* left, const Light* right) {
-    while (lights_.size() > MOST_LIGHTS && &lights_.back() != left && &lights_.back() != right)
+void Lights::trim(std::initializer_list<const Light*> shown) {
+    while (lights_.size() > MOST_LIGHTS &&
+           std::find(shown.begin(), shown.end(), &lights_.back()) == shown.end())
         lights_.pop_back();
 }
 

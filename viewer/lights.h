@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <initializer_list>
 #include <list>
 
 #include <lobelia/host/scene_maps.h>
@@ -33,7 +34,7 @@ public:
     /// Whether this light is all that the plan wants.
     static bool serves(const Light& light, const ScenePlan& plan);
     /// Lets go of the oldest that are not shown.
-    void trim(const Light* left, const Light* right);
+    void trim(std::initializer_list<const Light*> shown);
     std::uint64_t bytes() const;
 
 private:

@@ -77,6 +77,8 @@ void add_environment(CLI::App& verb, SphereOptions& options) {
                "turn the environment about +Y, counter-clockwise seen from above; default 0");
     verb.add_flag("--no-background", options.no_background,
                   "leave transparent black where the sphere is not");
+    add_parsed(verb, "--blur", parse_exponent, &options.blur, "X",
+               "blur the background by a lobe of that exponent, from 0 to 1e6; default: sharp");
     add_parsed(verb, "--face", parse_count, &options.face, "N",
                "texels of an edge of the environment's cube map; default: the next power of two "
                "from a quarter of the panorama's width");
@@ -99,6 +101,8 @@ void check_usage(const SphereOptions& options) {
     if (options.tolerance && (options.method || options.quality || options.face))
         throw CLI::ValidationError("--tolerance",
                                    "chooses --method, --quality and --face; leave those out");
+    if (options.blur && options.no_background)
+        throw CLI::ValidationError("--blur", "needs a background; leave --no-background out");
     if (options.samples && options.method != SphereMethod::importance)
         throw CLI::ValidationError("--samples", "is for --method importance");
 }
@@ -115,7 +119,9 @@ host::RenderSettings settings_of(const SphereOptions& options) {
                      .height = options.height},
             .method = options.method.value_or(host::method_for(quality)),
             .quality = quality,
-            .samples = options.samples.value_or(host::RenderSettings{}.samples)};
+            .samples = options.samples.value_or(host::RenderSettings{}.samples),
+            .background_exponent =
+                options.blur.value_or(host::RenderSettings{}.background_exponent)};
 }
 
 const char* method_name(SphereMethod method) {

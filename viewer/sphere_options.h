@@ -18,6 +18,7 @@ struct SphereOptions {
     Camera camera;
     float rotation = 0.0f; // of the environment, degrees
     bool no_background = false;
+    std::optional<float> blur; // exponent of the lobe that blurs the background; else it is sharp
     std::uint32_t width = 512;
     std::uint32_t height = 512;
     std::optional<SphereMethod> method;   // else by the quality

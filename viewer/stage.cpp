@@ -46,8 +46,9 @@ std::optional<double> Stage::reference_done() const {
 PictureRequest Stage::request_for(const ViewState& state, VkExtent2D extent,
                                   SphereMethod method) const {
     PictureRequest request{.settings = state.settings,
-                           .background =
-                               background_.view() ? background_.view() : environment()->cube.view(),
+                           .background = background_.light()
+                                             ? background_.light()->maps.sources().background
+                                             : environment()->cube.view(),
                            .version = environments_ + background_.version()};
     request.settings.view = shown_view(state, extent);
     // Under the reference, while that sharpens, lies what the quality stands for.
@@ -58,7 +59,7 @@ PictureRequest Stage::request_for(const ViewState& state, VkExtent2D extent,
 
 Outcome<Done> Stage::update_pictures(const ViewState& state, VkExtent2D extent, FrameWork& work) {
     const auto end = std::chrono::steady_clock::now() + WORK_PER_UPDATE;
-    if (const auto done = background_.update(*gpu_, *lights_, state, work, end); !done) return done;
+    if (const auto done = background_.update(*lights_, state, work, end); !done) return done;
     busy_ |= !background_.is_ready();
     const auto update = [&](MethodPicture& side, SphereMethod method) {
         const auto done =
@@ -73,7 +74,7 @@ Outcome<Done> Stage::update_pictures(const ViewState& state, VkExtent2D extent, 
     } else {
         right_.leave();
     }
-    lights_->trim(left_.light(), right_.light());
+    lights_->trim({left_.light(), right_.light(), background_.light()});
     return Done{};
 }
 

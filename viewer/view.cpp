@@ -21,16 +21,23 @@ struct ViewOptions {
 
 ViewerStart start_of(const ViewOptions& options) {
     const SphereOptions& sphere = options.sphere;
-    return {.state = {.environment = options.environment,
-                      .face = sphere.face,
-                      .settings = settings_of(sphere),
-                      .background = sphere.no_background ? Background::off : Background::sharp,
-                      .rotation = sphere.rotation,
-                      .exposure = options.exposure,
-                      .energy_gain = sphere.allow_energy_gain},
-            .size = {sphere.width, sphere.height},
-            .gpu = options.gpu,
-            .json = options.json};
+    const ViewState standard;
+    ViewerStart start{.state = {.environment = options.environment,
+                                .face = sphere.face,
+                                .settings = settings_of(sphere),
+                                .background = sphere.no_background ? Background::off
+                                              : sphere.blur        ? Background::blurred
+                                                                   : Background::sharp,
+                                .blur = sphere.blur.value_or(standard.blur),
+                                .rotation = sphere.rotation,
+                                .exposure = options.exposure,
+                                .energy_gain = sphere.allow_energy_gain},
+                      .size = {sphere.width, sphere.height},
+                      .gpu = options.gpu,
+                      .json = options.json};
+    // The background is made beside the pictures, for both methods.
+    start.state.settings.background_exponent = standard.settings.background_exponent;
+    return start;
 }
 
 int view_verb(const ViewOptions& options) {

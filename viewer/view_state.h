@@ -15,8 +15,8 @@ enum class Background { sharp, blurred, off };
 struct ViewState {
     std::string environment;       // path; empty: the built-in one
     std::uint32_t face = 0;        // of its cube map; 0: as it needs
-    host::RenderSettings settings; // of the picture, or the left one of two; neither its size nor
-                                   // the rotation
+    host::RenderSettings settings; // of the picture, or the left one of two; neither its size,
+                                   // its rotation nor its background
     SphereMethod other = SphereMethod::reference; // of the right one
     bool split = false;
     float divider = 0.5f; // where the right one begins, as a fraction of the width

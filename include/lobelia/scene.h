@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -27,6 +28,8 @@ enum class Suns : std::uint32_t { unknown, none, some };
 struct Scene {
     std::span<const SceneMaterial> materials; // of surfaces in view; none: nothing is lit
     bool background = true;                   // the environment is seen itself
+    /// As a mirror of this exponent would show it, in [0, 1e6]. Infinite: sharp.
+    float background_exponent = std::numeric_limits<float>::infinity();
     SphereMethod method = SphereMethod::two_tap;
     Quality quality = Quality::normal;
     std::uint32_t samples = 64; // by SphereMethod::importance
@@ -79,6 +82,9 @@ public:
     bool environment_is_its_maps() const noexcept;
     /// Whether ClippedTables' image is read.
     bool clipped_tables() const noexcept;
+    /// Which of prefilter()'s maps PlainMap turns into the image "blurred background", with which
+    /// any method draws as its background. Null where that is the environment.
+    const PrefilteredMap* background_map() const noexcept;
 
     /// As expected_error.h says, the largest among what the materials show; infinite where nothing
     /// is promised.

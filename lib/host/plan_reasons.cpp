@@ -104,11 +104,13 @@ Outcome<std::vector<PlanReason>> render_reasons(const Gpu& gpu, const KnownEnvir
     reasons.push_back(reason("specular light", shading.specular,
                              lobe_why("ks", seen, shading.specular), now, *specular));
     reasons.push_back(reason("background", settings.view.background,
-                             settings.view.background ? "it is shown" : "it is hidden", now,
-                             *background));
+                             !settings.view.background ? "it is hidden"
+                             : plan->background_map()  ? "it is shown, blurred"
+                                                       : "it is shown",
+                             now, *background));
     const bool maps = plan->prefilter() != nullptr;
     reasons.push_back(reason("prefiltered maps", maps,
-                             maps   ? "a lobe reads them"
+                             maps   ? lit ? "a lobe reads them" : "the background is one"
                              : !lit ? "nothing is lit"
                              : environment.constant
                                  ? "the environment has one colour, which is every lobe's average"

@@ -114,7 +114,7 @@ Outcome<Done> add_drawing(Gpu& gpu, Timings& timings, const GpuEnvironment& envi
         if (reference)
             timings.add(pass, exact_work(pass, exponent));
         else if (!inputs->plan.prefilter() || pass.name == "irradiance" ||
-                 pass.name == "clipped tables")
+                 pass.name == "clipped tables" || pass.name == "blurred background")
             timings.add(pass, find_pass(inputs->plan, pass.name)->work);
     }
     const auto drawing = Drawing::create(gpu, *inputs, settings.view);

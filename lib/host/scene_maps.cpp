@@ -1,4 +1,5 @@
 #include <lobelia/host/scene_maps.h>
+#include <lobelia/plain_map.h>
 
 #include "host/averages.h"
 #include "host/guard.h"
@@ -14,7 +15,7 @@ struct MapPasses::State {
     std::optional<Prefilter> prefilter{};
     std::optional<Irradiance> irradiance{};
     std::optional<Mips> mips{};
-    std::optional<MapReader> reader{};
+    std::optional<PlainMap> plain_map{};
     std::optional<ClippedTablesUpload> tables{};
     bool tables_are_there = false;
 };
@@ -41,7 +42,6 @@ struct SceneMaps::State {
     Outcome<Done> bind(const GpuEnvironment& environment, const GpuImage& source,
                        const State* before);
     Outcome<PassReport> run_next();
-    Outcome<Image> read(std::size_t index, std::uint32_t face);
     const PrefilteredMaps* prefiltered() const {
         return maps ? &*maps : job ? &job->maps : nullptr;
     }
@@ -49,9 +49,9 @@ struct SceneMaps::State {
 private:
     Outcome<Done> bind_prefilter(const GpuImage& source, const State* before);
     Outcome<Done> bind_tables();
+    Outcome<Done> bind_background();
     Outcome<Done> bind_irradiance(const GpuImage& cube);
-    Outcome<VkImageView> bind_mips(const GpuImage& source, std::uint32_t last_face,
-                                   MipWeights weights);
+    Outcome<Done> bind_mips(const GpuImage& source);
     void add(const PassReport& report, std::function<void(VkCommandBuffer)> record) {
         reports.push_back(report);
         records.push_back(std::move(record));
@@ -78,17 +78,13 @@ Outcome<Done> SceneMaps::State::bind(const GpuEnvironment& environment, const Gp
     if (environment.constant) sources.diffuse = sources.specular = sources.background;
     if (find_pass(plan, "irradiance"))
         if (const auto bound = bind_irradiance(environment.cube); !bound) return bound;
+    if (find_pass(plan, "mips"))
+        if (const auto bound = bind_mips(source); !bound) return bound;
     if (plan.prefilter())
         if (const auto bound = bind_prefilter(source, before); !bound) return bound;
     if (plan.clipped_tables())
         if (const auto bound = bind_tables(); !bound) return bound;
-    if (!find_pass(plan, "mips")) return Done{};
-    const bool kurt2019 = plan.shading().method == SphereMethod::kurt2019;
-    const auto view = kurt2019 ? bind_mips(source, ScenePlan::KURT2019_FACE, MipWeights::equal)
-                               : bind_mips(source, 1, MipWeights::solid_angle);
-    if (!view) return view.error();
-    (kurt2019 ? sources.blurred : sources.mips) = *view;
-    return Done{};
+    return plan.background_map() ? bind_background() : Done{};
 }
 
 Outcome<Done> SceneMaps::State::bind_prefilter(const GpuImage& source, const State* before) {
@@ -102,11 +98,11 @@ Outcome<Done> SceneMaps::State::bind_prefilter(const GpuImage& source, const Sta
     if (!bound) return bound.error();
     job = std::move(*bound);
 
+    const std::vector<GpuImage>& made = job->maps.images;
     sources.prefilter_state = job->maps.state.handle();
-    const bool has_lambert = plan.shading().diffuse && !sources.irradiance;
-    for (std::size_t i = 0; i < job->maps.images.size(); ++i) {
-        const bool diffuse = has_lambert && i + 1 == job->maps.images.size();
-        (diffuse ? sources.diffuse : sources.specular) = job->maps.images[i].view();
+    if (!made.empty()) {
+        sources.specular = made.front().view(); // as maps are ordered,
+        sources.diffuse = made.back().view();   // where the method reads those
     }
     if (job->maps.ladder) sources.ladder = job->maps.ladder->view();
     const std::uint32_t first = from_levels ? wanted.first_map_pass() : 0;
@@ -136,6 +132,30 @@ Outcome<Done> SceneMaps::State::bind_tables() {
     return Done{};
 }
 
+Outcome<Done> SceneMaps::State::bind_background() {
+    const auto plain = compiled(passes.gpu, passes.plain_map);
+    if (!plain) return plain.error();
+    const ScenePass& pass = *find_pass(plan, "blurred background");
+    const std::uint32_t size = find_resource(plan, pass.name)->width;
+    auto image = passes.gpu.create_image({.width = size,
+                                          .height = size,
+                                          .layers = 6,
+                                          .usage = find_resource(plan, pass.name)->usage,
+                                          .cube = true});
+    if (!image) return image.error();
+    const PrefilteredMap* const map = plan.background_map();
+    const std::size_t index = std::size_t(map - plan.prefilter()->maps().data());
+    const auto bound = (*plain)->bind({.map = *map,
+                                       .view = job->maps.images[index].view(),
+                                       .state = job->maps.state.handle(),
+                                       .target = lend_cube(*image)});
+    if (!bound) return core_failure(bound.error());
+    sources.background = image->view();
+    images.push_back(std::move(*image));
+    add(report_of(pass), [made = *bound](VkCommandBuffer commands) { made.record(commands); });
+    return Done{};
+}
+
 Outcome<Done> SceneMaps::State::bind_irradiance(const GpuImage& cube) {
     const auto irradiance = compiled(passes.gpu, passes.irradiance);
     if (!irradiance) return irradiance.error();
@@ -149,16 +169,19 @@ Outcome<Done> SceneMaps::State::bind_irradiance(const GpuImage& cube) {
     return Done{};
 }
 
-Outcome<VkImageView> SceneMaps::State::bind_mips(const GpuImage& source, std::uint32_t last_face,
-                                                 MipWeights weights) {
+Outcome<Done> SceneMaps::State::bind_mips(const GpuImage& source) {
     const auto mips = compiled(passes.gpu, passes.mips);
     if (!mips) return mips.error();
-    auto bound = host::bind_mips(passes.gpu, **mips, source, last_face, weights);
+    const bool kurt2019 = plan.shading().method == SphereMethod::kurt2019;
+    auto bound =
+        host::bind_mips(passes.gpu, **mips, source, kurt2019 ? ScenePlan::KURT2019_FACE : 1,
+                        kurt2019 ? MipWeights::equal : MipWeights::solid_angle);
     if (!bound) return bound.error();
+    (kurt2019 ? sources.blurred : sources.mips) = bound->image.view();
     add(report_of(*find_pass(plan, "mips")),
         [made = bound->job](VkCommandBuffer commands) { made.record(commands); });
     images.push_back(std::move(bound->image));
-    return images.back().view();
+    return Done{};
 }
 
 Outcome<PassReport> SceneMaps::State::run_next() {
@@ -172,15 +195,6 @@ Outcome<PassReport> SceneMaps::State::run_next() {
         job.reset();
     }
     return report;
-}
-
-Outcome<Image> SceneMaps::State::read(std::size_t index, std::uint32_t face) {
-    const auto reader = compiled(passes.gpu, passes.reader);
-    if (!reader) return reader.error();
-    auto values = host::read_map(passes.gpu, **reader, *prefiltered(), index,
-                                 texel_directions(Layout::cube, face, face));
-    if (!values) return values.error();
-    return Image{Layout::cube, face, face, 6, std::move(values->texels)};
 }
 
 Outcome<SceneMaps> SceneMaps::create(MapPasses& passes, const GpuEnvironment& environment,
@@ -223,10 +237,6 @@ SphereShading SceneMaps::shading(const ScenePlan& plan) const {
 std::optional<std::uint32_t> SceneMaps::suns() const {
     const PrefilteredMaps* const maps = state_->prefiltered();
     return maps ? std::optional(sun_count(*maps)) : std::nullopt;
-}
-
-Outcome<Image> SceneMaps::read_map(std::size_t index, std::uint32_t face) {
-    return guarded([&] { return state_->read(index, face); });
 }
 
 } // namespace lobelia::host

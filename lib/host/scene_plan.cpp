@@ -11,6 +11,9 @@ namespace lobelia::host {
 Outcome<Done> check_render(const Gpu& gpu, const RenderSettings& settings) {
     if (const auto refused = check_view(settings.view, gpu.limits())) return *refused;
     if (const auto refused = check_material(settings.view.material, true)) return *refused;
+    if (settings.background_exponent != RenderSettings{}.background_exponent)
+        if (const auto refused = check_exponent(settings.background_exponent))
+            return Failure{"of the background's blur " + refused->message};
     if (settings.samples < 1 || settings.samples > SphereShading::MOST_SAMPLES)
         return Failure{"there are " + std::to_string(settings.samples) + " samples, give 1 to " +
                        std::to_string(SphereShading::MOST_SAMPLES)};
@@ -25,6 +28,7 @@ Outcome<ScenePlan> plan_scene(const Gpu& gpu, std::uint32_t face, bool constant,
     const bool lit = sees_sphere(settings.view);
     const auto plan = ScenePlan::make({.materials = {&shown, lit ? std::size_t(1) : 0},
                                        .background = settings.view.background,
+                                       .background_exponent = settings.background_exponent,
                                        .method = settings.method,
                                        .quality = settings.quality,
                                        .samples = settings.samples,
@@ -42,6 +46,12 @@ Outcome<ScenePlan> plan_scene(const Gpu& gpu, std::uint32_t face, bool constant,
 const ScenePass* find_pass(const ScenePlan& plan, std::string_view name) {
     for (const ScenePass& pass : plan.passes())
         if (name == pass.name) return &pass;
+    return nullptr;
+}
+
+const SceneResource* find_resource(const ScenePlan& plan, std::string_view name) {
+    for (const SceneResource& resource : plan.resources())
+        if (name == resource.name) return &resource;
     return nullptr;
 }
 

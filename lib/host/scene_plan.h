@@ -9,8 +9,9 @@ namespace lobelia::host {
 /// Why render() refuses these settings, or nothing.
 Outcome<Done> check_render(const Gpu& gpu, const RenderSettings& settings);
 
-/// The plan's pass of that name, or null.
+/// The plan's pass or resource of that name, or null.
 const ScenePass* find_pass(const ScenePlan& plan, std::string_view name);
+const SceneResource* find_resource(const ScenePlan& plan, std::string_view name);
 
 /// What a report says of a pass, before its times are known, and of an image.
 PassReport report_of(const ScenePass& pass);

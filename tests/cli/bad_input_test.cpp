@@ -25,6 +25,7 @@ const BadInput BAD_INPUTS[] = {
     {"NoVerb", {}, 2, "lobelia -h"},
     {"UnknownVerb", {"paint"}, 2, "lobelia -h"},
     {"UnknownOption", {"render", "--shininess", "3"}, 2, "--shininess"},
+    {"BlurOfNoBackground", {"render", "--blur", "8", "--no-background"}, 2, "--blur"},
     {"UnknownQuality", {"render", "--quality", "best"}, 2, "fast, normal and high"},
     {"MissingValue", {"render", "--kd"}, 2, "--kd"},
     {"EmptyValue", {"render", "--kd", ""}, 2, "--kd"},
@@ -84,6 +85,7 @@ const BadInput BAD_INPUTS[] = {
      2,
      "--samples"},
 
+    {"NegativeBlur", {"render", "--blur", "-1"}, 1, "background's blur"},
     {"NegativeExponent", {"render", "-n", "-1"}, 1, "-1"},
     {"ExponentBeyondTheLimit", {"render", "-n", "1e7"}, 1, "1000000"},
     {"NegativeDiffuse", {"render", "--kd", "0,-0.5,0"}, 1, "-0.5"},

@@ -103,6 +103,12 @@ TEST_F(RenderVerb, TurnsTheEnvironmentByWholeTurnsToWhereItWas) {
     EXPECT_FALSE(picture({}) == picture({"--rotate", "90"}));
 }
 
+TEST_F(RenderVerb, BlursTheBackgroundWhereAskedTo) {
+    EXPECT_FALSE(picture({"--blur", "20"}) == picture({}));
+    EXPECT_FALSE(picture({"--blur", "20"}) == picture({"--blur", "30"}));
+    EXPECT_TRUE(picture({"--blur", "20"}) == picture({"--blur", "20"}));
+}
+
 TEST_F(RenderVerb, AllowsEnergyGainWithOneWarning) {
     const ProgramResult result = run({"render", "--size", "8x8", "-o", "a.exr", "--kd", "0.8",
                                       "--ks", "0.7", "--allow-energy-gain"});

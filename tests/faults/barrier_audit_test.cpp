@@ -8,6 +8,7 @@
 #include <lobelia/map_reader.h>
 #include <lobelia/mips.h>
 #include <lobelia/panorama.h>
+#include <lobelia/plain_map.h>
 #include <lobelia/prefilter.h>
 #include <lobelia/sky.h>
 
@@ -90,6 +91,8 @@ TEST_P(PrefilterAudit, FromThePanoramaToTheReadMap) {
     const auto resampling = value_of(PanoramaToCube::create(gpu.device()));
     const auto prefilter = value_of(Prefilter::create(gpu.device()));
     const auto reader = value_of(MapReader::create(gpu.device()));
+    const auto plain = value_of(PlainMap::create(gpu.device()));
+    const host::GpuImage background = cube(32, VK_FORMAT_R32G32B32A32_SFLOAT);
     const auto painted = value_of(sky.bind({panorama.handle(), panorama.view(), 256, 128}));
     const auto resampled = value_of(resampling.bind(panorama_of(panorama), cube_of(source)));
     const auto filtered =
@@ -98,12 +101,15 @@ TEST_P(PrefilterAudit, FromThePanoramaToTheReadMap) {
     const auto read =
         value_of(reader.bind({plan.maps().front(), images.front().view(), state.handle(),
                               directions.handle(), results.handle(), 64}));
+    const auto shown = value_of(plain.bind(
+        {plan.maps().front(), images.front().view(), state.handle(), cube_of(background)}));
     value_of(gpu.submit([&](VkCommandBuffer commands) {
         for (int i = 0; i < 2; ++i) {
             painted.record(commands);
             resampled.record(commands);
             filtered.record(commands, 0, plan.pass_count());
             read.record(commands);
+            shown.record(commands);
         }
     }));
 }

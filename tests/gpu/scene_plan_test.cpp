@@ -1,3 +1,5 @@
+#include <lobelia/expected_error.h>
+
 #include <vulkan/vulkan.h>
 
 #include "host/drawing.h"
@@ -114,6 +116,62 @@ TEST_F(ScenePlanTest, DropsTheBackgroundAlone) {
     }
 }
 
+TEST_F(ScenePlanTest, BlursTheBackgroundAlone) {
+    const host::GpuEnvironment environment = noise();
+    for (const Material& material : {MIXED, grey(0, 0, 1)})
+        for (const SphereMethod method : {SphereMethod::kurt2019, SphereMethod::sh4,
+                                          SphereMethod::split_sum, SphereMethod::two_tap}) {
+            host::RenderSettings settings{.view = view_of(material), .method = method};
+            const host::Image sharp = render(environment, settings).picture;
+            settings.background_exponent = material.exponent; // split_sum has that map
+            const host::Image blurred = render(environment, settings).picture;
+            for (std::size_t i = 0; i < sharp.texels.size(); i += 4) {
+                if (sharp.texels[i + 3] != 1.0f) continue; // covered wholly by the sphere
+                for (std::size_t c = 0; c < 4; ++c)
+                    ASSERT_EQ(sharp.texels[i + c], blurred.texels[i + c]);
+            }
+        }
+}
+
+// The six axes, to which the texels of a cube map of one texel a face belong.
+TEST_F(ScenePlanTest, BlursTheBackgroundByItsLobe) {
+    const host::GpuEnvironment environment =
+        upload(image_of(random_panorama(oracle::Scene::suns, 128, 64, 3)));
+    const std::array<float, 3> axes[] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                         {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+    for (const float exponent : {1.0f, 16.0f, 300.0f}) {
+        const auto exact = [&](float n) {
+            return value_of(
+                       host::prefilter(
+                           gpu, environment,
+                           {.method = host::PrefilterMethod::exact, .exponents = {n}, .width = 1}))
+                .maps.front()
+                .texels;
+        };
+        // An axis lies between four texels of the face. Their mean adds a quarter of a squared
+        // texel to the lobe's variance, of which they have 2.8 to a standard deviation or more.
+        const auto truth = exact(exponent), wider = exact(exponent / (1 + 0.25f / (2.8f * 2.8f)));
+        const double promised = expected_map_error(Quality::normal, exponent, 32);
+        for (std::size_t face = 0; face < 6; ++face) {
+            const auto& axis = axes[face];
+            SphereView view{.camera = {.eye = {4 * axis[0], 4 * axis[1], 4 * axis[2]},
+                                       .target = {9 * axis[0], 9 * axis[1], 9 * axis[2]},
+                                       .up = {axis[1], axis[2], axis[0]}},
+                            .width = 1,
+                            .height = 1};
+            const host::Image picture =
+                render(environment, {.view = view, .background_exponent = exponent}).picture;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double expected = truth[4 * face + c];
+                EXPECT_NEAR(picture.texels[c], expected,
+                            2 * std::abs(double(wider[4 * face + c]) - expected) +
+                                promised * expected)
+                    << "n " << exponent << ", face " << face;
+            }
+        }
+    }
+}
+
 TEST_F(ScenePlanTest, DropsSunsThatAreNotThere) {
     const host::GpuEnvironment environment = noise();
     host::SphereInputs inputs =
@@ -203,6 +261,26 @@ TEST(SceneEditTest, AsksForNoMoreThanItChanges) {
     }
     EXPECT_EQ(edit_between(plan(0.3f, 0, 64), before).maps, Maps::from_levels);
     EXPECT_EQ(edit_between(plan(0, 0, 64), before).maps, Maps::anew);
+}
+
+TEST(SceneEditTest, OfTheBackgroundsBlurComesFromTheLevels) {
+    const SceneMaterial material{{}, {1, 1, 1}, 64, 64};
+    const auto plan = [&](float blur) {
+        return value_of(ScenePlan::make({.materials = {&material, 1},
+                                         .background_exponent = blur,
+                                         .method = SphereMethod::split_sum,
+                                         .source_size = 256,
+                                         .width = SIZE,
+                                         .height = SIZE,
+                                         .levels_up_to = 1e5f}));
+    };
+    using Maps = SceneEdit::Maps;
+    const ScenePlan sharp = plan(std::numeric_limits<float>::infinity());
+    EXPECT_EQ(edit_between(plan(8), plan(8)).maps, Maps::kept);
+    EXPECT_EQ(edit_between(plan(8), sharp).maps, Maps::kept);
+    for (const float blur : {8.0f, 64.0f})
+        for (const ScenePlan& before : {sharp, plan(9)})
+            EXPECT_EQ(edit_between(before, plan(blur)).maps, Maps::from_levels) << blur;
 }
 
 TEST(SceneEditTest, IsRefusedWhereTheMethodHasNoLadder) {

@@ -7,43 +7,12 @@
 #include "host/maps.h"
 #include "host/sphere_inputs.h"
 #include "sphere_fixture.h"
+#include "support/counting_device.h"
 
 // What an edit of the material, and another view in the same frame, record. Every dispatch and draw
 // of this device is counted.
 namespace lobelia::test {
 namespace {
-
-struct Recorded {
-    int dispatches = 0, draws = 0;
-};
-Recorded recorded;
-
-VKAPI_ATTR void VKAPI_CALL dispatch(VkCommandBuffer commands, std::uint32_t x, std::uint32_t y,
-                                    std::uint32_t z) {
-    ++recorded.dispatches;
-    vkCmdDispatch(commands, x, y, z);
-}
-
-VKAPI_ATTR void VKAPI_CALL draw_counted(VkCommandBuffer commands, std::uint32_t vertices,
-                                        std::uint32_t instances, std::uint32_t vertex,
-                                        std::uint32_t instance) {
-    ++recorded.draws;
-    vkCmdDraw(commands, vertices, instances, vertex, instance);
-}
-
-VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL get_device_proc(VkDevice device, const char* name) {
-    if (std::strcmp(name, "vkCmdDispatch") == 0)
-        return reinterpret_cast<PFN_vkVoidFunction>(&dispatch);
-    if (std::strcmp(name, "vkCmdDraw") == 0)
-        return reinterpret_cast<PFN_vkVoidFunction>(&draw_counted);
-    return vkGetDeviceProcAddr(device, name);
-}
-
-VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL get_proc(VkInstance instance, const char* name) {
-    if (std::strcmp(name, "vkGetDeviceProcAddr") == 0)
-        return reinterpret_cast<PFN_vkVoidFunction>(&get_device_proc);
-    return vkGetInstanceProcAddr(instance, name);
-}
 
 constexpr float LEAST = 1.0f, MOST = 1024.0f; // exponents of the ladder
 
@@ -63,8 +32,7 @@ struct Scene {
 
 class SphereEditTest : public testing::Test {
 protected:
-    host::Gpu gpu =
-        value_of(host::Gpu::create({.validation = true, .get_instance_proc_addr = &get_proc}));
+    host::Gpu gpu = value_of(host::Gpu::create(counting_options()));
     host::GpuEnvironment light = value_of(host::upload_environment(
         gpu, image_of(oracle::random_panorama(oracle::Scene::suns, 64, 32, 5))));
 
@@ -101,18 +69,18 @@ TEST_F(SphereEditTest, OfAnyMaterialWithinTheLadderRecordsTheSphereAlone) {
                               grey(0.5f, 0.1f, 64.0f),  grey(0.5f, 0.1f, LEAST),
                               grey(0.5f, 0.1f, 300.5f), grey(0.5f, 0.1f, MOST)};
     for (const auto& [method, taps] : TAPS_METHODS) {
-        recorded = {};
+        Recorded::reset();
         const Scene scene = make_scene(taps);
-        EXPECT_GT(recorded.dispatches, 10); // so they are counted
+        EXPECT_GT(Recorded::now().dispatches, 10u); // so they are counted
         const SpherePicture picture(gpu, 24, 16, {.method = method});
         const Scene anew = make_scene(taps);
         for (const Material& material : edits) {
             SCOPED_TRACE("n " + std::to_string(material.exponent));
-            recorded = {};
+            Recorded::reset();
             const SphereView view{.material = material, .width = 24, .height = 16};
             const host::Image edited = picture.draw(scene.sources, view);
-            EXPECT_EQ(recorded.dispatches, 0);
-            EXPECT_EQ(recorded.draws, 1);
+            EXPECT_EQ(Recorded::now().dispatches, 0u);
+            EXPECT_EQ(Recorded::now().draws, 1u);
             // Nothing that was not recorded is missing: all made anew shows the same.
             expect_same_bits(
                 edited, SpherePicture(gpu, 24, 16, {.method = method}).draw(anew.sources, view));
@@ -136,10 +104,10 @@ TEST_F(SphereEditTest, NeedsNothingElseByOtherMethodsEither) {
         const host::SphereInputs inputs = inputs_now();
         const SpherePicture picture(gpu, 24, 16, inputs.shading);
         settings.view.material = after;
-        recorded = {};
+        Recorded::reset();
         const host::Image edited = picture.draw(inputs.sources, settings.view);
-        EXPECT_EQ(recorded.dispatches, 0);
-        EXPECT_EQ(recorded.draws, 1);
+        EXPECT_EQ(Recorded::now().dispatches, 0u);
+        EXPECT_EQ(Recorded::now().draws, 1u);
         const host::SphereInputs anew = inputs_now();
         expect_same_bits(edited, picture.draw(anew.sources, settings.view));
     }

@@ -60,9 +60,6 @@ public:
     SphereShading shading(const ScenePlan& plan) const;
     /// Suns that were taken out of the maps; nothing where there was no prefilter.
     std::optional<std::uint32_t> suns() const;
-    /// What map `index` of the plan's prefilter gives, with its suns, at the texels' middles of a
-    /// cube map of `face` texels.
-    Outcome<Image> read_map(std::size_t index, std::uint32_t face);
 
 private:
     struct State;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -90,6 +91,8 @@ struct RenderSettings {
     SphereMethod method = SphereMethod::two_tap;
     Quality quality = Quality::normal; // of Prefilter's maps, where the method reads them
     std::uint32_t samples = 64;        // of each lobe, for SphereMethod::importance: 1 to 1024
+    /// Of the lobe that blurs the background, in [0, 1e6]. Infinite: sharp.
+    float background_exponent = std::numeric_limits<float>::infinity();
 };
 
 struct Rendering {
