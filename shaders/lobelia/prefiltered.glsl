@@ -47,9 +47,10 @@ vec3 fetch_spline(samplerCube map, float size, vec3 direction) {
 // its suns added.
 vec3 prefiltered_average(vec3 stored, vec3 axis, float exponent) {
     vec3 average = stored / PREFILTER_STATE.scale;
-    for (uint i = PREFILTER_STATE.sun_count; i > 0u; --i) {
-        average += sun_average(PREFILTER_STATE.suns[i - 1u], axis, exponent);
-    }
+    uint left = PREFILTER_STATE.sun_count;
+    if (left > 0u) do {
+        average += sun_average(PREFILTER_STATE.suns[--left], axis, exponent);
+    } while (left > 0u);
     return average;
 }
 

@@ -12,9 +12,9 @@ struct Sun {
     vec4 energy;    // R G B of radiance times solid angle, beyond what stays in the map
 };
 
-// The prefilter's findings, beside its maps: radiance = map / scale + what the suns give. Sum those from
-// the last one on: a loop that can be seen to end at MOST_SUNS is unrolled, and a CPU device then sums
-// eight of them whatever there is.
+// The prefilter's findings, beside its maps: radiance = map / scale + what the suns give. A CPU device
+// sums no more of them than there are if the loop counts down, since one that can be seen to end at
+// MOST_SUNS is unrolled, and asks at its end, since it goes through what follows a break.
 struct PrefilterState {
     float threshold; // luminance above which a texel near a sun is cut
     float scale;     // a power of two

@@ -70,12 +70,13 @@ vec3 five_taps(sampler2DArray ladder, sampler2DArray tables, vec3 mirror, vec3 n
 // Radiance that the suns send to the eye, the horizon included.
 vec3 shade_suns(vec3 diffuse, vec3 specular, float exponent, vec3 mirror, vec3 normal) {
     vec3 radiance = vec3(0.0);
-    for (uint i = PREFILTER_STATE.sun_count; i > 0u; --i) {
-        Sun sun = PREFILTER_STATE.suns[i - 1u];
+    uint left = PREFILTER_STATE.sun_count;
+    if (left > 0u) do {
+        Sun sun = PREFILTER_STATE.suns[--left];
         float height = max(dot(sun.direction.xyz, normal), 0.0);
         vec3 lobe = specular * clipped_sun_lobe(sun, mirror, exponent) + diffuse / PI;
         radiance += height * lobe * sun.energy.rgb;
-    }
+    } while (left > 0u);
     return radiance;
 }
 

@@ -4,8 +4,8 @@
 // panorama seen from a side of its own; the mean over the panoramas of
 //     pointwise: root mean square of |x - exact| / (|exact| + 1e-3 mean)
 //     image: root mean square of x - exact over that of exact.
-// Time: CPU time of the sphere pass at 512 x 512, the median of several draws, over that of a
-// mirror with one trilinear fetch in the same run.
+// Time: CPU time of the sphere pass at 512 x 512 in each panorama, the median of several draws,
+// over that of a mirror with one trilinear fetch in the same run. --times measures it alone.
 //
 // --references DIR keeps the reference's colours there, which take minutes a panorama and are the
 // same for every quality. Remove them when the reference changes. --csv FILE adds the errors on
@@ -48,6 +48,11 @@ constexpr Rung RUNGS[] = {
     {"importance, 256", SphereMethod::importance, 256},
 };
 
+const Rung& rung_of(SphereMethod method) {
+    return *std::find_if(std::begin(RUNGS), std::end(RUNGS),
+                         [&](const Rung& rung) { return rung.method == method; });
+}
+
 struct Case {
     const char* name;
     Material material;
@@ -64,6 +69,7 @@ constexpr Case CASES[] = {
 
 struct Options {
     Quality quality = Quality::normal;
+    bool times = false;     // alone
     std::string references; // folder; empty: keeps none
     std::string table;      // file; empty: none
     std::vector<std::string> panoramas = REAL_PANORAMAS;
@@ -139,26 +145,37 @@ void print_errors(const Errors& errors, const Options& options) {
     }
 }
 
-void measure(host::Gpu& gpu, const Options& options) {
-    Errors errors;
-    for (const std::string& panorama : options.panoramas)
-        add_errors(gpu, panorama, options, errors);
-    print_errors(errors, options);
-
-    const auto environment = value_of(host::upload_environment(
-        gpu, real_panorama(options.panoramas.front()), 0, options.quality));
-    std::printf("\n| time | kd and ks | ks |\n");
+void print_times(host::Gpu& gpu, const std::string& panorama, const Options& options) {
+    const auto environment =
+        value_of(host::upload_environment(gpu, real_panorama(panorama), 0, options.quality));
     std::vector<SphereTiming> lobes[2];
+    std::uint32_t suns = 0;
     for (int i = 0; i < 2; ++i) {
         SphereTimer timer(gpu, environment, white(i == 0 ? 0.3f : 0.0f, 0.6f, 64), options.quality);
         for (const Rung& rung : RUNGS)
             if (is_measured(rung, options)) timer.add(rung.name, rung.method, rung.samples);
+        for (const SphereMethod method :
+             {SphereMethod::one_tap, SphereMethod::two_tap, SphereMethod::hybrid})
+            timer.add_without_suns(std::string(rung_of(method).name) + ", suns left out", method);
         lobes[i] = timer.run();
+        suns = timer.suns();
     }
+    std::printf("\n| %s, %u suns | kd and ks | ks |\n| --- | --- | --- |\n", panorama.c_str(),
+                suns);
     for (std::size_t k = 0; k < lobes[0].size(); ++k)
         std::printf("| %s | %.2f | %.2f |\n", lobes[0][k].name.c_str(), lobes[0][k].ratio,
                     lobes[1][k].ratio);
     std::printf("mirror: %.1f ms\n", lobes[0].front().milliseconds);
+}
+
+void measure(host::Gpu& gpu, const Options& options) {
+    if (!options.times) {
+        Errors errors;
+        for (const std::string& panorama : options.panoramas)
+            add_errors(gpu, panorama, options, errors);
+        print_errors(errors, options);
+    }
+    for (const std::string& panorama : options.panoramas) print_times(gpu, panorama, options);
 }
 
 } // namespace
@@ -169,6 +186,7 @@ int main(int count, char** arguments) {
     lobelia::test::Options options;
     CLI::App program("Error and time of the sphere's methods");
     program.add_option("PANORAMA", options.panoramas);
+    program.add_flag("--times", options.times);
     program.add_option("--references", options.references)->type_name("DIR");
     program.add_option("--csv", options.table)->type_name("FILE");
     program.add_option("--quality", options.quality)

@@ -77,9 +77,20 @@ void SphereTimer::add_shader(const std::string& name, std::span<const std::uint3
 }
 
 void SphereTimer::add(const std::string& name, SphereMethod method, std::uint32_t samples) {
+    add(name, method, samples, true);
+}
+
+void SphereTimer::add_without_suns(const std::string& name, SphereMethod method) {
+    add(name, method, 1, false);
+}
+
+void SphereTimer::add(const std::string& name, SphereMethod method, std::uint32_t samples,
+                      bool suns) {
     auto inputs = std::make_shared<host::SphereInputs>(value_of(host::make_sphere_inputs(
         gpu_, environment_,
         {.view = view_, .method = method, .quality = quality_, .samples = samples}, {})));
+    suns_ = std::max(suns_, inputs->report.suns.value_or(0));
+    inputs->shading.suns = inputs->shading.suns && suns;
     const Sphere sphere = value_of(
         Sphere::create(gpu_.device(), {.render_pass = target_.render_pass()}, inputs->shading));
     auto job = std::make_shared<SphereJob>(value_of(sphere.bind(inputs->sources)));

@@ -27,13 +27,17 @@ public:
                 Quality quality);
 
     void add(const std::string& name, SphereMethod method, std::uint32_t samples);
+    /// The same compiled without suns, whether there are some or not.
+    void add_without_suns(const std::string& name, SphereMethod method);
     std::vector<SphereTiming> run();
+    std::uint32_t suns() const { return suns_; } // found in the environment
 
 private:
     struct Drawing {
         std::string name;
         std::function<void(VkCommandBuffer)> record;
     };
+    void add(const std::string& name, SphereMethod method, std::uint32_t samples, bool suns);
     void add_shader(const std::string& name, std::span<const std::uint32_t> spirv,
                     VkDescriptorType type, const vk::Resource& resource);
 
@@ -47,6 +51,7 @@ private:
     host::GpuBuffer colours_;
     std::vector<host::GpuImage> images_;
     std::vector<Drawing> drawings_;
+    std::uint32_t suns_ = 0;
 };
 
 } // namespace lobelia::test
