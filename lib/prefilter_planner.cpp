@@ -10,8 +10,10 @@ namespace lobelia {
 
 namespace {
 
-constexpr VkDeviceSize ALIGNMENT = 256;        // no device asks for more at a buffer view's offset
-constexpr std::uint32_t LEAST_CHAIN_SIZE = 32; // coarser grids have an error of their own
+constexpr VkDeviceSize ALIGNMENT = 256;         // no device asks for more at a buffer view's offset
+constexpr std::uint32_t LEAST_CHAIN_SIZE = 32;  // coarser grids have an error of their own
+constexpr double HALVED_TEXELS_PER_SIGMA = 1.0; // of a kernel that reads the halved level
+constexpr double CHAIN_TEXELS_PER_SIGMA = 0.71; // of a level that the chain goes on from
 constexpr double CHAIN_EXPONENT = 45; // below it harmonics are cheaper and better than the chain
 constexpr double START_TEXELS_PER_SIGMA = 2.83; // of half of the first level, of box averages
 constexpr double SHARP_EXPONENT = 1500;
@@ -54,7 +56,7 @@ private:
 
     void add_map(float exponent) {
         plan_.maps.push_back(
-            {exponent, size_for(double(exponent), tier_, plan_.source_size), tier_.filter});
+            {exponent, size_for(double(exponent), tier_, plan_.source_size), MapFilter::spline});
     }
 
     void add_ladder(const Ladder& ladder) {
@@ -84,7 +86,7 @@ private:
         while (size < plan_.source_size &&
                sharpest_for(size / 2, START_TEXELS_PER_SIGMA) < sharpest())
             size *= 2;
-        halved_ = {prepare(size)};
+        first_ = prepare(size);
     }
 
     /// The source without suns, box-averaged to faces of `size`.
@@ -103,24 +105,24 @@ private:
     void keep_levels() {
         if (double(plan_.levels_up_to) >= CHAIN_EXPONENT) {
             source_for(CHAIN_EXPONENT);
-            for (std::uint32_t i = 0; i < halved_.size(); ++i)
-                reserve_margin(halved_[i],
-                               i < tier_.most_halvings ? tier_.halved_texels_per_sigma : 0.0);
-            for (const std::uint32_t level : chain_) reserve_margin(level, 0.0);
+            reserve_margin(first_,
+                           [](double size) { return sharpest_for(size, HALVED_TEXELS_PER_SIGMA); });
+            const auto least_of_chain = [](double size) {
+                return sharpest_for(size, CHAIN_TEXELS_PER_SIGMA) / CHAIN_RATIO;
+            };
+            if (halved_) reserve_margin(*halved_, least_of_chain);
+            for (const std::uint32_t level : chain_) reserve_margin(level, least_of_chain);
         }
         project();
     }
 
-    /// For the least exponent that is made from a level: one more, by `halved` texels for its
-    /// standard deviation or where that is 0 by the chain, is made from the next.
-    void reserve_margin(std::uint32_t index, double halved) {
+    /// For the least exponent that is made from a level: up to `most_of_next`, by its size, they
+    /// are made from the next.
+    void reserve_margin(std::uint32_t index, double (*most_of_next)(double size)) {
         ChainLevel& level = plan_.levels[index];
         const std::uint32_t next = level.size / 2;
         double least = CHAIN_EXPONENT;
-        if (next >= LEAST_CHAIN_SIZE)
-            least = std::max(least, halved > 0 ? sharpest_for(next, halved)
-                                               : sharpest_for(next, tier_.chain_texels_per_sigma) /
-                                                     CHAIN_RATIO);
+        if (next >= LEAST_CHAIN_SIZE) least = std::max(least, most_of_next(next));
         const double variance = 1 / least - 1 / level.exponent - level.face_variance / 2;
         if (least <= double(plan_.levels_up_to))
             need_margin(level, std::min(tier_.cut * std::sqrt(std::max(variance, 0.0)), 1.3));
@@ -151,18 +153,14 @@ private:
 
     /// The coarsest level that a lobe of this exponent can be made from.
     std::uint32_t source_for(double exponent) {
-        std::uint32_t level = halved_[0];
-        for (std::uint32_t i = 1; i <= tier_.most_halvings; ++i) {
-            const std::uint32_t size = plan_.levels[level].size / 2;
-            if (size < LEAST_CHAIN_SIZE ||
-                sharpest_for(size, tier_.halved_texels_per_sigma) < exponent)
-                return level;
-            if (i == halved_.size()) halved_.push_back(halve(level));
-            level = halved_[i];
-        }
+        const std::uint32_t half = plan_.levels[first_].size / 2;
+        if (half < LEAST_CHAIN_SIZE || sharpest_for(half, HALVED_TEXELS_PER_SIGMA) < exponent)
+            return first_;
+        if (!halved_) halved_ = halve(first_);
+        std::uint32_t level = *halved_;
         for (std::size_t i = 0;; ++i) {
             const std::uint32_t size = plan_.levels[level].size / 2;
-            const double next = sharpest_for(size, tier_.chain_texels_per_sigma);
+            const double next = sharpest_for(size, CHAIN_TEXELS_PER_SIGMA);
             if (size < LEAST_CHAIN_SIZE || next < CHAIN_RATIO * exponent) return level;
             if (i == chain_.size()) chain_.push_back(blur_level(level, size, next));
             level = chain_[i];
@@ -233,12 +231,11 @@ private:
     std::uint32_t low_source() {
         if (low_) return *low_;
         const std::uint32_t size = std::min(2 * LEAST_CHAIN_SIZE, plan_.source_size);
-        const std::uint32_t first =
-            plan_.levels[halved_[0]].size == size ? halved_[0] : prepare(size);
+        const std::uint32_t first = plan_.levels[first_].size == size ? first_ : prepare(size);
         low_ = size <= LEAST_CHAIN_SIZE
                    ? first
                    : blur_level(first, LEAST_CHAIN_SIZE,
-                                sharpest_for(LEAST_CHAIN_SIZE, tier_.chain_texels_per_sigma));
+                                sharpest_for(LEAST_CHAIN_SIZE, CHAIN_TEXELS_PER_SIGMA));
         return *low_;
     }
 
@@ -288,9 +285,10 @@ private:
 
     const Tier& tier_;
     PrefilterPlan::State& plan_;
-    // Levels made so far, each half the size of the last: by halving alone, and from the last of
-    // those on by the chain.
-    std::vector<std::uint32_t> halved_, chain_;
+    // Levels made so far, each half the size of the one before.
+    std::uint32_t first_ = 0;
+    std::optional<std::uint32_t> halved_;
+    std::vector<std::uint32_t> chain_;
     std::optional<std::uint32_t> low_; // the one that low exponents are made from
 };
 

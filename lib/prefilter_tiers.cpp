@@ -12,10 +12,11 @@ namespace lobelia {
 namespace {
 
 constexpr Tier TIERS[] = {
-    {MapFilter::spline, 0.95, MANY, 1.4, 1.4, 0.71, 3.5, 3.2, 2e-3, NONE, 32},
-    {MapFilter::spline, 1.23, 1, 1.0, 2.0, 0.71, 4.0, 3.6, 1e-4, 36, 64},
-    {MapFilter::spline, 1.7, 1, 1.0, 2.8, 0.71, 4.5, 4.5, 3e-5, 8, 64},
+    {0.95, 1.4, 3.75, 3.6, 2e-3, 40, 40},
+    {1.23, 2.0, 4.0, 3.6, 1e-4, 36, 64},
+    {1.7, 2.8, 4.5, 4.5, 3e-5, 8, 64},
 };
+constexpr std::uint32_t MANY = 200;    // degrees: what is left is below any tolerance
 constexpr std::uint32_t SIZE_STEP = 8; // of maps
 
 } // namespace
@@ -57,9 +58,9 @@ double mean_on_sphere(double face_variance) {
 }
 
 std::uint32_t degrees_for(double exponent, double tolerance) {
-    const std::vector<double> lambda = lobe_eigenvalues(exponent, 2 * MANY);
+    const std::vector<double> lambda = lobe_eigenvalues(exponent, MANY);
     double left = 0;
-    std::uint32_t degrees = 2 * MANY;
+    std::uint32_t degrees = MANY;
     for (; degrees > 1; --degrees) {
         const double l = double(degrees - 1);
         left += (2 * l + 1) * lambda[degrees - 1] * lambda[degrees - 1];

@@ -8,17 +8,12 @@
 namespace lobelia {
 
 constexpr double NONE = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t MANY = 100;
 constexpr std::uint32_t LEAST_MAP_SIZE = 32;
 
 /// What tells the tiers apart; docs/prefilter.md has what they reach.
 struct Tier {
-    MapFilter filter;
     double texels_per_sigma;        // of a map
-    std::uint32_t most_halvings;    // before the chain; MANY: there is none
-    double halved_texels_per_sigma; // of a kernel that reads a level made by halving
     double ladder_texels_per_sigma; // of the ladder's lowest rung, and half of that of its highest
-    double chain_texels_per_sigma;  // of a level that the chain goes on from
     double cut;                     // end of a kernel in standard deviations
     double sharp_cut;               // the same for maps of SHARP_EXPONENT on, which cost most
     double series_end;              // what harmonics leave out

@@ -15,7 +15,7 @@ namespace lobelia {
 /// that measures them.
 enum class Quality : std::uint32_t {
     // Pointwise relative RMS on photographed panoramas for n up to 700, and at 2048:
-    fast,   // 1e-2 and 2e-2: coarser maps and no chain of levels
+    fast,   // 4e-3 and 7e-3: coarser maps and narrower kernels
     normal, // 2e-3 and 4e-3
     high,   // 1e-3 and 1e-3: finer maps and wider kernels, of a source of twice the size
 };

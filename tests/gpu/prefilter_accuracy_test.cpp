@@ -92,8 +92,11 @@ protected:
         RecordProperty("worst_" + what, std::to_string(worst));
     }
 
-    const Wanted wanted{{0, 0.5f, 1, 4.8f, 16, 37, 45, 64, 150, 300, 700, 2048, 1e4f}, true};
+    static Wanted wanted(Quality quality) {
+        return {{0, 0.5f, 1, 4.8f, 16, 37, 45, 64, 150, 300, 700, 2048, 1e4f}, true, quality};
+    }
 };
+constexpr Quality QUALITIES[] = {Quality::fast, Quality::normal, Quality::high};
 
 // Texels that halves hold: a single colour's rounding alone may be more than is allowed.
 Source of_halves(const Source& source) {
@@ -111,8 +114,10 @@ TEST_F(MeanTest, OfCubesIsKept) {
     for (Scene scene : oracle::ALL_SCENES)
         for (int size : {64, 256}) {
             const Source source = of_halves(oracle::random_cube(scene, size, 12));
-            expect_kept(make(image_of(source), wanted), source.mean(),
-                        name(scene) + std::to_string(size));
+            for (const Quality quality : QUALITIES)
+                expect_kept(make(image_of(source), wanted(quality)), source.mean(),
+                            name(scene) + std::to_string(size) + ", quality " +
+                                std::to_string(int(quality)));
         }
 }
 
@@ -121,7 +126,9 @@ TEST_F(MeanTest, OfPhotographsIsKept) {
     // Those that lose most where kernels do not conserve it.
     for (const std::string photograph : {"courtyard", "studio"}) {
         const host::Image image = real_panorama(photograph);
-        expect_kept(make(cube_from(image, 256), wanted), source_of(image).mean(), photograph);
+        for (const Quality quality : QUALITIES)
+            expect_kept(make(cube_from(image, 256), wanted(quality)), source_of(image).mean(),
+                        photograph + ", quality " + std::to_string(int(quality)));
     }
 }
 
