@@ -60,6 +60,19 @@ std::string means_table(const std::vector<MeasureMean>& means) {
            rows + "</table></div>\n";
 }
 
+std::string advantages_table(const std::vector<MeasureAdvantage>& advantages) {
+    if (advantages.empty()) return "";
+    std::string rows;
+    for (const MeasureAdvantage& one : advantages)
+        rows += "<tr><td>chain " + escaped(one.quality) + "</td><td>" + rounded(one.error) +
+                "</td><td>" + (one.at_least ? "more than " : "") + rounded(one.time) +
+                "</td></tr>\n";
+    return "<p>One map by filtered importance sampling, n from 16 to 1024:</p>\n"
+           "<div class=\"table\"><table>\n<tr><th>beside</th><th>times the error, in its "
+           "time</th><th>times the time, for its error</th></tr>\n" +
+           rows + "</table></div>\n";
+}
+
 } // namespace
 
 std::string measure_page(const MeasureSummary& summary, const std::vector<DrawnPlot>& plots) {
@@ -73,6 +86,7 @@ std::string measure_page(const MeasureSummary& summary, const std::vector<DrawnP
                        "mean). Both are geometric means over environments and exponents. Nothing "
                        "is at once faster and more exact than what is on the front. Every single "
                        "figure: measure.csv, measure.json.</p>\n";
+    body += advantages_table(summary.advantages());
     for (const DrawnPlot& drawn : plots)
         body += "<figure>" + inlined(drawn.svg) + "<figcaption>" + escaped(drawn.plot.caption) +
                 "</figcaption></figure>\n";

@@ -56,9 +56,9 @@ std::string frame(const MeasureSummary& summary, const std::string& title, const
            "set border 3 linecolor rgb \"#606060\"\n"
            "set tics nomirror\n"
            "set rmargin 6\n"
-           "set key below center horizontal samplen 2\n"
+           "set key below center horizontal samplen 2 height 1\n"
            "set title " +
-           quoted(title + "\n" + summary.device()) + "\nset xlabel " + quoted(x) + " offset 0,0.3" +
+           quoted(title + "\n" + summary.device()) + "\nset xlabel " + quoted(x) + " offset 0,0.5" +
            "\nset ylabel " + quoted(y) + "\n";
 }
 
@@ -123,11 +123,15 @@ std::string errors_by_time(const MeasureSummary& summary, const std::vector<Meas
     curves.push_back(blocks.add(front) + " using 1:2 with steps linewidth 6 linecolor rgb "
                                          "\"#DDDDDD\" title \"Pareto front\"");
     for (const std::string& method : methods) {
+        const auto is_of_method = [&](const MeasureMean& mean) {
+            return mean.rms && mean.way.method == method;
+        };
+        const bool alone = std::count_if(means.begin(), means.end(), is_of_method) == 1;
         std::string points;
         for (const MeasureMean& mean : means)
-            if (mean.rms && mean.way.method == method)
+            if (is_of_method(mean))
                 points += number(mean.ms) + " " + number(*mean.rms) + " " +
-                          quoted(short_label(mean.way)) + "\n";
+                          quoted(alone ? method : short_label(mean.way)) + "\n";
         const std::string block = blocks.add(points), colour = palette(method);
         curves.push_back(block +
                          " using 1:2 with linespoints linewidth 2 pointtype 7 linecolor "

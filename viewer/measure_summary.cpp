@@ -29,6 +29,32 @@ MeasureWay way_of(const MeasureRow& row) {
     return {row.what.method, row.what.quality, row.what.samples};
 }
 
+struct Point {
+    double ms, rms;
+};
+
+double between(double x, double x0, double x1, double y0, double y1) {
+    return std::exp(std::log(y0) + std::log(x / x0) / std::log(x1 / x0) * std::log(y1 / y0));
+}
+
+/// On the line through `points`, which are sorted by time; before and after it, on its ends.
+double error_in(double ms, const std::vector<Point>& points) {
+    if (ms <= points.front().ms) return points.front().rms;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (ms < points[i].ms)
+            return between(ms, points[i - 1].ms, points[i].ms, points[i - 1].rms, points[i].rms);
+    return points.back().rms;
+}
+
+/// The first time at which that line is as low as `rms`; nothing where it never is.
+std::optional<double> time_for(double rms, const std::vector<Point>& points) {
+    if (rms >= points.front().rms) return points.front().ms;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (rms >= points[i].rms)
+            return between(rms, points[i - 1].rms, points[i].rms, points[i - 1].ms, points[i].ms);
+    return std::nullopt;
+}
+
 bool has_error(const MeasureRow& row) {
     return row.error.rms > 0.0 && std::isfinite(row.error.rms);
 }
@@ -105,6 +131,42 @@ std::vector<MeasureMean> MeasureSummary::means(const std::string& task) const {
         means.push_back({way, time.value(), exact ? std::nullopt : std::optional(error.value())});
     }
     return means;
+}
+
+std::vector<MeasureAdvantage> MeasureSummary::advantages() const {
+    using Light = std::pair<std::string, float>;
+    std::map<Light, std::vector<Point>> sampled;
+    const std::string filtered = prefilter_method_name(host::PrefilterMethod::filtered_importance);
+    for (const MeasureRow& row : rows_)
+        if (row.what.method == filtered && has_error(row))
+            sampled[{row.what.environment, row.what.exponent}].push_back({ms(row), row.error.rms});
+    for (auto& [light, points] : sampled)
+        std::sort(points.begin(), points.end(),
+                  [](const Point& a, const Point& b) { return a.ms < b.ms; });
+
+    struct Sums {
+        GeometricMean error, time;
+        bool at_least = false;
+    };
+    std::vector<std::pair<std::string, Sums>> sums; // in the order in which they were measured
+    const std::string chain = prefilter_method_name(host::PrefilterMethod::chain);
+    for (const MeasureRow& row : rows_) {
+        const MeasureCase& what = row.what;
+        if (what.method != chain || what.exponent < 16.0f || what.exponent > 1024.0f) continue;
+        const auto beside = sampled.find({what.environment, what.exponent});
+        if (beside == sampled.end() || !has_error(row)) continue;
+        auto found = std::find_if(sums.begin(), sums.end(),
+                                  [&](const auto& sum) { return sum.first == *what.quality; });
+        if (found == sums.end()) found = sums.insert(found, {*what.quality, {}});
+        const auto time = time_for(row.error.rms, beside->second);
+        found->second.error.add(error_in(ms(row), beside->second) / row.error.rms);
+        found->second.time.add(time.value_or(beside->second.back().ms) / ms(row));
+        found->second.at_least |= !time;
+    }
+    std::vector<MeasureAdvantage> advantages;
+    for (const auto& [quality, sum] : sums)
+        advantages.push_back({quality, sum.error.value(), sum.time.value(), sum.at_least});
+    return advantages;
 }
 
 std::vector<MeasureLine> MeasureSummary::errors_by_exponent(const std::string& task) const {

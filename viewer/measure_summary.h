@@ -25,6 +25,16 @@ struct MeasureMean {
     std::optional<double> rms;
 };
 
+/// How a quality of the prefilter stands to filtered importance sampling, whose error over time is
+/// taken for a line between its numbers of samples, on logarithmic axes; before the least of them
+/// it is that one's error. Geometric means over environments and the exponents from 16 to 1024.
+struct MeasureAdvantage {
+    std::string quality;
+    double error = 0.0;    // of sampling over the chain's, in the chain's time
+    double time = 0.0;     // of sampling over the chain's, for the chain's error
+    bool at_least = false; // where the most samples did not reach that error, their time stands in
+};
+
 /// A line of a picture.
 struct MeasureLine {
     MeasureWay way;
@@ -43,6 +53,8 @@ public:
     const std::vector<std::string>& environments() const { return environments_; }
 
     std::vector<MeasureMean> means(const std::string& task) const;
+    /// None where sampling or the chain was not measured.
+    std::vector<MeasureAdvantage> advantages() const;
     std::vector<MeasureLine> errors_by_exponent(const std::string& task) const;
     /// Milliseconds of the prefilter's chain by the face size of the environment's cube map; the
     /// last line, without a way, is the yardstick.
