@@ -9,7 +9,6 @@ constexpr VkImageUsageFlags USAGE = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_
                                     VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                     VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 constexpr VkFormat FLOATS = VK_FORMAT_R32G32B32A32_SFLOAT;
-constexpr VkFormat HALVES = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 host::GpuBuffer storage(host::Gpu& gpu, VkDeviceSize bytes) {
     return value_of(gpu.create_buffer(
@@ -56,15 +55,16 @@ Environment load(host::Gpu& gpu, const host::Image& image, std::uint32_t face) {
 }
 
 Maps bind_maps(host::Gpu& gpu, const Prefilter& prefilter, const host::GpuImage& cube,
-               std::span<const float> exponents, bool lambert, Quality quality) {
+               std::span<const float> exponents, bool lambert, Quality quality, VkFormat format) {
     auto plan = value_of(PrefilterPlan::make({.exponents = exponents,
                                               .lambert = lambert,
                                               .quality = quality,
+                                              .map_format = format,
                                               .source_size = cube.description().width}));
     std::vector<host::GpuImage> images;
     std::vector<CubeMap> lent;
     for (const PrefilteredMap& map : plan.maps()) {
-        images.push_back(cube_image(gpu, HALVES, map.size));
+        images.push_back(cube_image(gpu, format, map.size));
         lent.push_back(cube_of(images.back()));
     }
     auto scratch = storage(gpu, plan.scratch_size());

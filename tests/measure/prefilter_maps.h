@@ -33,7 +33,8 @@ struct Maps {
     PrefilterJob job;
 };
 Maps bind_maps(host::Gpu& gpu, const Prefilter& prefilter, const host::GpuImage& cube,
-               std::span<const float> exponents, bool lambert, Quality quality);
+               std::span<const float> exponents, bool lambert, Quality quality,
+               VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT);
 
 /// P_n at each direction, R G B one after the other: integrated, and as a shader reads map number
 /// `index`.
