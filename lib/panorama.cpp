@@ -113,16 +113,26 @@ Result<PanoramaToCubeJob> PanoramaToCube::bind(const Panorama& source,
 }
 
 void PanoramaToCubeJob::record(VkCommandBuffer commands) const noexcept {
+    record(commands, 0, rows());
+}
+
+std::uint32_t PanoramaToCubeJob::rows() const noexcept {
+    return state_->params.size * FACES;
+}
+
+void PanoramaToCubeJob::record(VkCommandBuffer commands, std::uint32_t first,
+                               std::uint32_t count) const noexcept {
     const vk::Context& context = state_->shared->context;
     const vk::ComputePass& pass =
         state_->together ? state_->shared->together : state_->shared->alone;
     const vk::Label label(context, commands, "lobelia panorama to cube");
     const std::uint32_t size = state_->params.size;
     const std::uint32_t groups = state_->together ? size : (size + GROUP_SIZE - 1) / GROUP_SIZE;
-    vk::image_barrier(context, commands, state_->target, vk::DISCARDED, vk::STORED);
+    if (first == 0) vk::image_barrier(context, commands, state_->target, vk::DISCARDED, vk::STORED);
     vk::begin_pass(context, commands, pass, state_->sets.sets[0], state_->params);
-    context.call.vkCmdDispatch(commands, groups, size, FACES);
-    vk::image_barrier(context, commands, state_->target, vk::STORED, vk::SAMPLED);
+    vk::dispatch_pieces(context, commands, {groups, size, FACES}, first, count);
+    if (first + count == rows())
+        vk::image_barrier(context, commands, state_->target, vk::STORED, vk::SAMPLED);
 }
 
 } // namespace lobelia

@@ -219,8 +219,8 @@ void PrefilterJob::State::record_pass(VkCommandBuffer commands, std::uint32_t in
         break;
     }
     }
-    const Groups groups = groups_of(all, planned);
-    dispatch_pieces(context, commands, groups, first, count);
+    const vk::Groups groups = groups_of(all, planned);
+    vk::dispatch_pieces(context, commands, groups, first, count);
     if (first + count < groups.pieces()) return;
     vk::memory_barrier(context, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
                        VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,

@@ -16,13 +16,13 @@ std::uint32_t groups(std::uint32_t size, std::uint32_t group) {
     return (size + group - 1) / group;
 }
 
-Groups square(std::uint32_t size, std::uint32_t group, std::uint32_t layers) {
+vk::Groups square(std::uint32_t size, std::uint32_t group, std::uint32_t layers) {
     return {groups(size, group), groups(size, group), layers};
 }
 
 } // namespace
 
-Groups groups_of(const PrefilterPlan::State& plan, const PlannedPass& planned) {
+vk::Groups groups_of(const PrefilterPlan::State& plan, const PlannedPass& planned) {
     const auto target = [&] { return plan.levels[planned.target]; };
     const auto map_size = [&] { return plan.maps[*planned.map].size; };
     switch (planned.kind) {
@@ -45,23 +45,6 @@ Groups groups_of(const PrefilterPlan::State& plan, const PlannedPass& planned) {
     case PlannedPass::Kind::expand: break;
     }
     return {groups(3 * map_size() * map_size() / 4 / EXPAND_TEXELS, SUM_GROUP_SIZE), 1, 1};
-}
-
-void dispatch_pieces(const vk::Context& context, VkCommandBuffer commands, const Groups& groups,
-                     std::uint32_t first, std::uint32_t count) {
-    if (count == groups.pieces()) {
-        context.call.vkCmdDispatch(commands, groups.x, groups.y, groups.z);
-    } else if (groups.y * groups.z == 1) {
-        context.call.vkCmdDispatchBase(commands, first, 0, 0, count, 1, 1);
-    } else {
-        while (count > 0) { // layer by layer
-            const std::uint32_t row = first % groups.y;
-            const std::uint32_t rows = std::min(count, groups.y - row);
-            context.call.vkCmdDispatchBase(commands, 0, row, first / groups.y, groups.x, rows, 1);
-            first += rows;
-            count -= rows;
-        }
-    }
 }
 
 } // namespace lobelia

@@ -3,8 +3,11 @@
 namespace lobelia::cli {
 
 using host::Outcome;
+using namespace std::chrono_literals;
 
 namespace {
+
+constexpr auto WORK_PER_UPDATE = 12ms; // on an upload: the rest of a frame is for drawing
 
 std::string message_about(const host::Sanitised& replaced) {
     const std::uint64_t count = replaced.not_a_number + replaced.infinite + replaced.negative;
@@ -15,6 +18,8 @@ std::string message_about(const host::Sanitised& replaced) {
 
 void ShownEnvironment::open(const std::string& path) {
     coming_ = path;
+    upload_.reset();
+    read_.reset();
     if (!path.empty()) loader_.begin(path);
 }
 
@@ -24,18 +29,49 @@ Outcome<Done> ShownEnvironment::show(Renderer& renderer, const ViewState& state)
     auto environment = source_ ? host::upload_environment(gpu, source_->image, state.face, quality)
                                : host::make_builtin_environment(gpu, state.face, quality);
     if (!environment) return environment.error();
-    if (const auto set = renderer.stage().set_environment(std::move(*environment)); !set)
-        return set;
+    return set(renderer, std::move(*environment), quality);
+}
+
+Outcome<Done> ShownEnvironment::set(Renderer& renderer, host::GpuEnvironment environment,
+                                    Quality quality) {
+    const auto done = renderer.stage().set_environment(std::move(environment));
+    if (!done) return done;
     for_high_ = quality == Quality::high;
     ++count_;
     return Done{};
 }
 
+Outcome<bool> ShownEnvironment::bring(Renderer& renderer, const ViewState& state) {
+    if (!read_) { // the built-in one
+        auto before = std::exchange(source_, std::nullopt);
+        const auto shown = show(renderer, state);
+        if (shown) return true;
+        source_ = std::move(before);
+        return shown.error();
+    }
+    if (!upload_) {
+        upload_quality_ = state.settings.quality;
+        auto begun = host::EnvironmentUpload::begin(renderer.gpu(), read_->image, state.face,
+                                                    upload_quality_);
+        if (!begun) return begun.error();
+        upload_ = std::move(*begun);
+    }
+    const auto end = std::chrono::steady_clock::now() + WORK_PER_UPDATE;
+    while (upload_->done() < 1.0) {
+        if (const auto done = upload_->go_on(); !done) return done.error();
+        if (upload_->done() < 1.0 && std::chrono::steady_clock::now() >= end) return false;
+    }
+    if (const auto done = set(renderer, upload_->take(), upload_quality_); !done)
+        return done.error();
+    upload_.reset();
+    source_ = std::move(*read_);
+    return true;
+}
+
 Outcome<std::optional<ShownEnvironment::News>> ShownEnvironment::update(Renderer& renderer,
                                                                         ViewState& state) {
     if (!coming_) return std::optional<News>{};
-    std::optional<host::Environment> coming;
-    if (!coming_->empty()) {
+    if (!coming_->empty() && !read_) {
         auto read = loader_.take();
         if (!read) return std::optional<News>{};
         if (!*read) {
@@ -43,16 +79,20 @@ Outcome<std::optional<ShownEnvironment::News>> ShownEnvironment::update(Renderer
             if (!renderer.stage().environment()) return read->error();
             return std::optional(News{read->error().message, true});
         }
-        coming = std::move(**read);
+        read_ = std::make_unique<host::Environment>(std::move(**read));
     }
-    auto before = std::exchange(source_, std::move(coming));
-    const std::string path = *std::exchange(coming_, std::nullopt);
-    if (const auto shown = show(renderer, state); !shown) {
-        if (!renderer.stage().environment() || renderer.is_lost()) return shown.error();
-        source_ = std::move(before);
-        return std::optional(News{path + ": " + shown.error().message, true});
+    const auto brought = bring(renderer, state);
+    if (!brought) {
+        upload_.reset();
+        if (renderer.is_lost()) return brought.error(); // and goes on with the next device
+        read_.reset();
+        const std::string path = *std::exchange(coming_, std::nullopt);
+        if (!renderer.stage().environment()) return brought.error();
+        return std::optional(News{path + ": " + brought.error().message, true});
     }
-    state.environment = path;
+    if (!*brought) return std::optional<News>{};
+    read_.reset();
+    state.environment = *std::exchange(coming_, std::nullopt);
     return std::optional(News{source_ ? message_about(source_->sanitised) : ""});
 }
 

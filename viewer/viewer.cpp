@@ -69,7 +69,8 @@ void Viewer::wait() {
     double seconds = environment_.is_loading() ? LOADING_FRAME : -1.0;
     if (minimised_) {
         seconds = -1.0;
-    } else if (!stuck_ && (renderer_->stage().is_busy() || state_.turning != 0.0f)) {
+    } else if (!stuck_ && (renderer_->stage().is_busy() || environment_.is_on_its_way() ||
+                           state_.turning != 0.0f)) {
         seconds = std::clamp(FASTEST_FRAME - clock_.since_frame(), 0.0, FASTEST_FRAME);
     } else if (redraw_ > 0) {
         seconds = 0.0;
@@ -135,8 +136,8 @@ Outcome<Done> Viewer::draw_gui(Requests& requests) {
         if (const auto loaded = renderer_->reload_fonts(); !loaded) return loaded;
     }
     const Loader& loader = environment_.loader();
-    status_.loading = loader.is_busy() ? loader.path() : "";
-    status_.loading_seconds = loader.is_busy() ? loader.seconds() : 0.0;
+    status_.loading = environment_.is_loading() ? loader.path() : "";
+    status_.loading_seconds = environment_.is_loading() ? loader.seconds() : 0.0;
     status_.maps_done = renderer_->stage().maps_done();
     status_.reference_done = renderer_->stage().reference_done();
     status_.bytes = renderer_->stage().bytes();
@@ -205,6 +206,7 @@ Outcome<Done> Viewer::recover(const host::Failure& failure) {
         return Done{};
     }
     if (std::exchange(rebuilt_, true)) return failure;
+    environment_.leave_device();
     renderer_.reset();
     auto renderer = Renderer::create(start_.gpu, window_);
     if (!renderer) return renderer.error();

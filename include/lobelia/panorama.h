@@ -24,6 +24,14 @@ public:
     /// Costs a few operations for each pair of panorama texel and cube texel that overlap.
     void record(VkCommandBuffer commands) const noexcept;
 
+    /// Rows of texels of the cube map, on all its faces.
+    std::uint32_t rows() const noexcept;
+    /// The same in parts, which may lie in several command buffers, submitted in order: rows
+    /// [first, first + count), each row once and the first of all first. Between two parts the
+    /// target is in GENERAL, and on exit from the last one as above. Bits do not depend on the
+    /// parts.
+    void record(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count) const noexcept;
+
 private:
     std::shared_ptr<const State> state_;
 };

@@ -269,18 +269,27 @@ Gpu::submit_timed(const std::function<void(VkCommandBuffer)>& record) {
 }
 
 Outcome<Done> Gpu::upload(const Image& source, const GpuImage& target) {
-    const VkDeviceSize bytes = source.texels.size() * sizeof(float);
+    return upload_rows(source, target, 0, source.layers * source.height);
+}
+
+Outcome<Done> Gpu::upload_rows(const Image& source, const GpuImage& target, std::uint32_t first,
+                               std::uint32_t count) {
+    const std::size_t row = std::size_t(4) * source.width; // floats
+    const VkDeviceSize bytes = row * count * sizeof(float);
     auto staging = create_buffer(bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Memory::host);
     if (!staging) return staging.error();
-    std::memcpy(staging->data(), source.texels.data(), bytes);
+    std::memcpy(staging->data(), &source.texels[row * first], bytes);
     return submit([&](VkCommandBuffer commands) {
-        record_layout_change(*this, commands, target, VK_IMAGE_LAYOUT_UNDEFINED,
-                             VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-        const VkBufferImageCopy copy = whole_level(target, 0);
+        if (first == 0)
+            record_layout_change(*this, commands, target, VK_IMAGE_LAYOUT_UNDEFINED,
+                                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        const std::vector<VkBufferImageCopy> copies = rows_of_layers(target, first, count);
         state_->context.call.vkCmdCopyBufferToImage(commands, staging->handle(), target.handle(),
-                                                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
-        record_layout_change(*this, commands, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                             VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+                                                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                                    std::uint32_t(copies.size()), copies.data());
+        if (first + count == source.layers * source.height)
+            record_layout_change(*this, commands, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                 VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
 }
 

@@ -163,6 +163,23 @@ Outcome<GpuImage> make_image(const HostContext& context,
     return GpuImage(std::move(parts));
 }
 
+std::vector<VkBufferImageCopy> rows_of_layers(const GpuImage& image, std::uint32_t first,
+                                              std::uint32_t count) {
+    constexpr VkDeviceSize TEXEL_BYTES = 4 * sizeof(float);
+    const GpuImageDescription& shape = image.description();
+    std::vector<VkBufferImageCopy> copies;
+    for (std::uint32_t row = first; row < first + count;) {
+        const std::uint32_t layer = row / shape.height, y = row % shape.height;
+        const std::uint32_t rows = std::min(first + count - row, shape.height - y);
+        copies.push_back({.bufferOffset = TEXEL_BYTES * shape.width * (row - first),
+                          .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, layer, 1},
+                          .imageOffset = {0, std::int32_t(y), 0},
+                          .imageExtent = {shape.width, rows, 1}});
+        row += rows;
+    }
+    return copies;
+}
+
 VkBufferImageCopy whole_level(const GpuImage& image, std::uint32_t level) {
     const GpuImageDescription& shape = image.description();
     return {.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, shape.layers},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <lobelia/host/gpu.h>
 
@@ -16,6 +17,11 @@ Outcome<GpuImage> make_image(const HostContext& context,
                              const VkPhysicalDeviceMemoryProperties& memory_types,
                              const VkPhysicalDeviceLimits& limits,
                              const GpuImageDescription& description);
+
+/// Rows [first, first + count) of all layers' at level 0, tightly packed in a buffer: a copy for
+/// each layer.
+std::vector<VkBufferImageCopy> rows_of_layers(const GpuImage& image, std::uint32_t first,
+                                              std::uint32_t count);
 
 /// All layers of one level, tightly packed in a buffer.
 VkBufferImageCopy whole_level(const GpuImage& image, std::uint32_t level);

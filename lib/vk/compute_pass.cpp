@@ -1,5 +1,7 @@
 #include "vk/compute_pass.h"
 
+#include <algorithm>
+
 namespace lobelia::vk {
 
 ComputePass make_compute_pass(const Context& context, const ComputePassDescription& description) {
@@ -29,6 +31,23 @@ ComputePass make_compute_pass(const Context& context, const ComputePassDescripti
           "create compute pipeline");
     set_name(context, VK_OBJECT_TYPE_PIPELINE, pipeline, description.name);
     return {description.name, std::move(interface), Pipeline(context, pipeline)};
+}
+
+void dispatch_pieces(const Context& context, VkCommandBuffer commands, const Groups& groups,
+                     std::uint32_t first, std::uint32_t count) {
+    if (count == groups.pieces()) {
+        context.call.vkCmdDispatch(commands, groups.x, groups.y, groups.z);
+    } else if (groups.y * groups.z == 1) {
+        context.call.vkCmdDispatchBase(commands, first, 0, 0, count, 1, 1);
+    } else {
+        while (count > 0) { // layer by layer
+            const std::uint32_t row = first % groups.y;
+            const std::uint32_t rows = std::min(count, groups.y - row);
+            context.call.vkCmdDispatchBase(commands, 0, row, first / groups.y, groups.x, rows, 1);
+            first += rows;
+            count -= rows;
+        }
+    }
 }
 
 void image_barrier(const Context& context, VkCommandBuffer commands, VkImage image,

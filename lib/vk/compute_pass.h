@@ -35,6 +35,17 @@ void begin_pass(const Context& context, VkCommandBuffer commands, const ComputeP
                                     &params);
 }
 
+/// The workgroups of a dispatch. A piece of it is one row of them, or one group where there is one
+/// row.
+struct Groups {
+    std::uint32_t x, y, z;
+
+    std::uint32_t pieces() const { return y * z > 1 ? y * z : x; }
+};
+/// Dispatches pieces [first, first + count) of the bound pass.
+void dispatch_pieces(const Context& context, VkCommandBuffer commands, const Groups& groups,
+                     std::uint32_t first, std::uint32_t count);
+
 /// The stages that may read what a pass writes, or write it anew. A queue without graphics refuses
 /// the name of fragment shaders, so nothing is named.
 constexpr VkPipelineStageFlags ANY_STAGE = VK_PIPELINE_STAGE_ALL_COMMANDS_BIT;

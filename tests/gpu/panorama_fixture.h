@@ -25,7 +25,8 @@ class PanoramaTest : public GpuTest {
 protected:
     PanoramaToCube pass = value_of(PanoramaToCube::create(gpu.device()));
 
-    Image resample(const Image& panorama, std::uint32_t size) {
+    /// Recorded as a whole, or in parts of so many rows, each a submission of its own.
+    Image resample(const Image& panorama, std::uint32_t size, std::uint32_t rows = 0) {
         const host::GpuImage source = on_device(gpu, panorama);
         const host::GpuImage target = value_of(
             gpu.create_image({.width = size,
@@ -35,7 +36,13 @@ protected:
                                        VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                               .cube = true}));
         const PanoramaToCubeJob job = value_of(pass.bind(panorama_of(source), cube_of(target)));
-        value_of(gpu.submit([&](VkCommandBuffer commands) { job.record(commands); }));
+        if (rows == 0)
+            value_of(gpu.submit([&](VkCommandBuffer commands) { job.record(commands); }));
+        else
+            for (std::uint32_t first = 0; first < job.rows(); first += rows)
+                value_of(gpu.submit([&](VkCommandBuffer commands) {
+                    job.record(commands, first, std::min(rows, job.rows() - first));
+                }));
         return value_of(gpu.download(target, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL));
     }
 };

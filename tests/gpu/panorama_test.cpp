@@ -1,3 +1,5 @@
+#include <lobelia/host/environment_upload.h>
+
 #include "panorama_fixture.h"
 
 #include "support/real_panoramas.h"
@@ -84,6 +86,40 @@ TEST_F(PanoramaTest, KeepsTheLightWhereOneTexelCoversAsManyAsAllowed) {
                                                  {size.width / 2, size.height - 1}});
         expect_suns_kept(panorama, resample(panorama, face), MEAN_TOLERANCE);
     }
+}
+
+TEST_F(PanoramaTest, GivesTheSameBitsInParts) {
+    // Of 100 x 50 texels an invocation makes a texel, of 4000 x 2000 for faces of 2 a workgroup.
+    for (const auto& [panorama, size] :
+         {std::pair{Size{100, 50}, 9u}, std::pair{Size{4000, 2000}, 2u}}) {
+        const Image source = noise(panorama, 8);
+        const Image whole = resample(source, size);
+        for (const std::uint32_t rows : {1u, 5u, 6u * size})
+            EXPECT_EQ(resample(source, size, rows).texels, whole.texels) << panorama << " " << rows;
+    }
+}
+
+// Whole and in parts, by the host.
+TEST_F(PanoramaTest, IsBroughtToTheDeviceInParts) {
+    const Image source = noise({2100, 1050}, 3);
+    auto upload = value_of(host::EnvironmentUpload::begin(gpu, source, 64));
+    int parts = 0;
+    for (double before = -1; upload.done() < 1; ++parts) {
+        EXPECT_GT(upload.done(), before);
+        before = upload.done();
+        value_of(upload.go_on());
+    }
+    EXPECT_EQ(parts, 6); // of 2^20 texels: three to copy and three to resample
+    const host::GpuEnvironment made = upload.take();
+    const auto layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    EXPECT_EQ(value_of(gpu.download(*made.panorama, layout)).texels, source.texels);
+    EXPECT_EQ(value_of(gpu.download(made.cube, layout)).texels, resample(source, 64).texels);
+
+    const Image cube = image_of(oracle::random_cube(oracle::Scene::noise, 500, 3));
+    upload = value_of(host::EnvironmentUpload::begin(gpu, cube));
+    for (parts = 0; upload.done() < 1; ++parts) value_of(upload.go_on());
+    EXPECT_EQ(parts, 2); // which meet within a face
+    EXPECT_EQ(value_of(gpu.download(upload.take().cube, layout)).texels, cube.texels);
 }
 
 TEST_F(PanoramaTest, StaysBetweenTheLeastAndTheMostLight) {

@@ -132,6 +132,10 @@ public:
     /// Replaces level 0 of `target` (R32G32B32A32_SFLOAT, TRANSFER_DST usage) by `source` of the
     /// same shape. Leaves it in SHADER_READ_ONLY_OPTIMAL, visible to fragment and compute shaders.
     Outcome<Done> upload(const Image& source, const GpuImage& target);
+    /// The same in parts: rows [first, first + count) of all layers', from row 0 on and each once.
+    /// Between two parts the target is in TRANSFER_DST_OPTIMAL.
+    Outcome<Done> upload_rows(const Image& source, const GpuImage& target, std::uint32_t first,
+                              std::uint32_t count);
 
     /// Reads one level of `source` (R32G32B32A32_SFLOAT or R16G16B16A16_SFLOAT, TRANSFER_SRC
     /// usage), which is in `layout` and stays in it.
