@@ -5,7 +5,7 @@
 #include <lobelia/host/read.h>
 #include <lobelia/host/write.h>
 
-#include "failing_new.h"
+#include "library_new.h"
 #include "support/gpu_sources.h"
 #include "support/run_program.h"
 #include "vulkan_shim.h"
@@ -19,14 +19,14 @@ int fail_every_allocation(const std::function<bool()>& work) {
     EXPECT_TRUE(work()); // OpenEXR sets itself up once, and cannot when that was interrupted
     std::size_t k = 0;
     for (bool done = false; !done; ++k) {
-        FailingNew::begin(k);
+        LibraryNew::begin(k);
         bool succeeded = false, thrown = false;
         try {
             succeeded = work();
         } catch (...) {
             thrown = true;
         }
-        done = FailingNew::end() <= k;
+        done = LibraryNew::end() <= k;
         EXPECT_FALSE(thrown) << "allocation " << k << " failed and something was thrown";
         // A message may be lost, the work may not.
         EXPECT_TRUE(succeeded || !done) << "after " << k << " failures";

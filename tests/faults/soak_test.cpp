@@ -7,7 +7,7 @@
 
 #include <lobelia/host/work.h>
 
-#include "live_allocations.h"
+#include "library_new.h"
 #include "support/environments.h"
 #include "support/gpu_sources.h"
 #include "vulkan_shim.h"
@@ -31,7 +31,7 @@ std::ostream& operator<<(std::ostream& out, const Alive& alive) {
 }
 
 Alive alive() {
-    return {VulkanShim::get().census.alive(), live_allocations()};
+    return {VulkanShim::get().census.alive(), LibraryNew::live()};
 }
 
 std::chrono::steady_clock::time_point end_of_soak() {
@@ -66,7 +66,7 @@ void work(host::Gpu& gpu, std::uint64_t round) {
 }
 
 TEST(Soak, WouldSeeABlockThatStays) {
-    count_allocations();
+    LibraryNew::begin();
     const Alive before = alive();
     auto block = std::make_unique<int>(1);
     EXPECT_EQ(alive().blocks, before.blocks + 1);
@@ -76,7 +76,7 @@ TEST(Soak, WouldSeeABlockThatStays) {
 
 TEST(Soak, LeavesNothingBehind) {
     VulkanShim::get().pipelines.on = true; // compiled once a device
-    count_allocations();
+    LibraryNew::begin();
     const auto end = end_of_soak();
     std::optional<Alive> open, closed; // once it is warm
     int devices = 0;

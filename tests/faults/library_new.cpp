@@ -1,4 +1,4 @@
-#include "live_allocations.h"
+#include "library_new.h"
 
 #include <atomic>
 #include <cstdlib>
@@ -9,6 +9,8 @@
 namespace {
 
 thread_local bool counting = false;
+thread_local std::size_t allocations = 0;
+thread_local std::size_t failing = 0;
 std::atomic<std::ptrdiff_t> live = 0;
 
 /// Before each block, as large as the strictest alignment.
@@ -17,11 +19,12 @@ struct alignas(std::max_align_t) Header {
 };
 
 void* allocate(std::size_t size) noexcept {
+    const bool counts = counting && !lobelia::test::VulkanShim::inside;
+    if (counts && allocations++ == failing) return nullptr;
     void* const memory = std::malloc(sizeof(Header) + size);
     if (!memory) return nullptr;
-    auto* const header = new (memory) Header{counting && !lobelia::test::VulkanShim::inside};
-    if (header->counts) ++live;
-    return header + 1;
+    if (counts) ++live;
+    return new (memory) Header{counts} + 1;
 }
 
 void release(void* memory) noexcept {
@@ -49,12 +52,19 @@ void operator delete(void* memory, std::size_t) noexcept {
 
 namespace lobelia::test {
 
-void count_allocations() {
+void LibraryNew::begin(std::size_t number) {
+    allocations = 0;
+    failing = number;
     counting = true;
 }
 
-std::ptrdiff_t live_allocations() {
-    return live;
+std::size_t LibraryNew::end() {
+    counting = false;
+    return allocations;
+}
+
+std::ptrdiff_t LibraryNew::live() {
+    return ::live;
 }
 
 } // namespace lobelia::test
