@@ -20,9 +20,10 @@ constexpr float PAPER_EXPONENT = 4.8f; // of figure 5
 constexpr float DIFFUSE = 0.3f, SPECULAR = 0.6f;
 
 std::string error_text(const std::vector<float>& values, const std::vector<float>& exact) {
-    char text[32];
-    std::snprintf(text, sizeof text, "error %.2g %%",
-                  100.0 * host::measure_error(values, exact).rms);
+    const double per_cent = 100.0 * host::measure_error(values, exact).rms;
+    char text[48];
+    std::snprintf(text, sizeof text, per_cent < 100.0 ? "error %.2g %%" : "error %.0f %%",
+                  per_cent);
     return text;
 }
 

@@ -43,8 +43,10 @@ Outcome<Done> write_sheet(const std::string& folder, const GalleryFigure& figure
                                    small ? "point" : "Lanczos", "-resize",
                                    std::to_string(SHOWN) + "x" + std::to_string(SHOWN), ")"});
     }
+    // What comes after the number would not fit above a few columns; the page says it.
+    const std::string title = figure.title.substr(0, figure.title.find(':'));
     words.insert(words.end(), {"-tile", std::to_string(figure.columns) + "x", "-geometry", "+8+6",
-                               "-title", escaped(figure.title), "png:-"});
+                               "-title", escaped(title), "png:-"});
     return run_to_file(words, folder + "/" + figure.name + ".png");
 }
 
