@@ -113,6 +113,42 @@ TEST_F(SphereEditTest, NeedsNothingElseByOtherMethodsEither) {
     }
 }
 
+// Another environment is other descriptors, and a blend of two the blend of their pictures.
+TEST_F(SphereEditTest, SwitchingAndBlendingEnvironmentsRecordsTheSphereAlone) {
+    const oracle::Source one = oracle::random_panorama(oracle::Scene::smooth, 64, 32, 6);
+    const oracle::Source other = oracle::random_panorama(oracle::Scene::smooth, 64, 32, 7);
+    std::vector<oracle::Rgb> sums;
+    for (std::size_t i = 0; i < one.texels().size(); ++i)
+        sums.push_back({0.25 * one.texels()[i][0] + 0.75 * other.texels()[i][0],
+                        0.25 * one.texels()[i][1] + 0.75 * other.texels()[i][1],
+                        0.25 * one.texels()[i][2] + 0.75 * other.texels()[i][2]});
+    const oracle::Source both = oracle::Source::panorama(64, 32, std::move(sums));
+
+    const host::RenderSettings settings{
+        .view = {.material = grey(0.3f, 0.6f, 64.0f), .width = 24, .height = 16}};
+    std::vector<host::GpuEnvironment> environments;
+    std::vector<host::SphereInputs> inputs;
+    for (const oracle::Source& source : {one, other, both}) {
+        environments.push_back(value_of(host::upload_environment(gpu, image_of(source))));
+        inputs.push_back(
+            value_of(host::make_sphere_inputs(gpu, environments.back(), settings, {})));
+    }
+    const SpherePicture picture(gpu, 24, 16, inputs[0].shading);
+    Recorded::reset();
+    std::vector<std::vector<float>> shown;
+    for (const host::SphereInputs& input : inputs)
+        shown.push_back(picture.draw(input.sources, settings.view).texels);
+    EXPECT_EQ(Recorded::now().dispatches, 0u);
+    EXPECT_EQ(Recorded::now().draws, 3u);
+    // All from the light to the pixel is linear but for rounding to halves, of a level and of a
+    // map, in each of three pictures.
+    constexpr double ROUNDING = 3 * 2 * 0x1p-11;
+    for (std::size_t i = 0; i < shown[2].size(); ++i)
+        ASSERT_NEAR(0.25f * shown[0][i] + 0.75f * shown[1][i], shown[2][i],
+                    ROUNDING * double(shown[2][i]))
+            << i;
+}
+
 TEST_F(SphereEditTest, SeveralViewsOfOneSceneShareAFrame) {
     const Scene scene = make_scene(Taps::two);
     SphereView left{.camera = {.eye = {-4, 0, 0.1f}},
