@@ -39,26 +39,24 @@ SphereView view_of(const SceneMaterial* material, const Scene& scene, std::size_
 class Frame {
 public:
     Frame(host::Gpu& gpu, const host::GpuEnvironment& environment, const PlanScene& named)
-        : gpu_(gpu), scene_(named.scene()), inputs_{.plan = value_of(ScenePlan::make(scene_))},
+        : gpu_(gpu), scene_(named.scene()), plan_(value_of(ScenePlan::make(scene_))),
           target_(value_of(host::ColourTarget::create(gpu, scene_.width, scene_.height))) {
-        const ScenePlan& plan = inputs_.plan;
-        inputs_.shading = plan.shading();
-        SphereSources& sources = inputs_.sources;
-        sources.background = environment.cube.view();
-        if (plan.environment_is_its_maps()) sources.diffuse = sources.specular = sources.background;
-        if (plan.prefilter()) {
-            maps_.emplace(value_of(host::bind_maps(gpu, environment, *plan.prefilter())));
+        SphereSources sources{.background = environment.cube.view()};
+        if (plan_.environment_is_its_maps())
+            sources.diffuse = sources.specular = sources.background;
+        if (plan_.prefilter()) {
+            maps_.emplace(value_of(host::bind_maps(gpu, environment, *plan_.prefilter())));
             sources.prefilter_state = maps_->maps.state.handle();
             for (const host::GpuImage& image : maps_->maps.images) sources.diffuse = image.view();
             if (maps_->maps.ladder) sources.ladder = maps_->maps.ladder->view();
         }
-        if (plan.clipped_tables()) {
+        if (plan_.clipped_tables()) {
             host::PassReport upload;
             tables_.emplace(value_of(host::make_clipped_tables(gpu, upload)));
             sources.clipped_tables = tables_->view();
         }
         const Sphere sphere = value_of(
-            Sphere::create(gpu.device(), {.render_pass = target_.render_pass()}, inputs_.shading));
+            Sphere::create(gpu.device(), {.render_pass = target_.render_pass()}, plan_.shading()));
         job_.emplace(value_of(sphere.bind(sources)));
         const std::size_t draws = std::max<std::size_t>(named.materials.size(), 1);
         for (std::size_t i = 0; i < draws; ++i)
@@ -66,7 +64,7 @@ public:
                 view_of(named.materials.empty() ? nullptr : &named.materials[i], scene_, draws));
     }
 
-    const ScenePlan& plan() const { return inputs_.plan; }
+    const ScenePlan& plan() const { return plan_; }
 
     double milliseconds() {
         std::vector<double> times;
@@ -96,7 +94,7 @@ public:
 private:
     host::Gpu& gpu_;
     Scene scene_;
-    host::SphereInputs inputs_;
+    ScenePlan plan_;
     host::ColourTarget target_;
     std::optional<host::MapsJob> maps_;
     std::optional<host::GpuImage> tables_;
