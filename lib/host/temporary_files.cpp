@@ -32,7 +32,13 @@ void remove_if_nobody_writes(const std::string& path) {
         ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW | O_NOCTTY));
     struct stat state {};
     if (!file || ::fstat(file.get(), &state) != 0 || !S_ISREG(state.st_mode)) return;
-    if (::flock(file.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return;
+    // What was opened may have taken its last name since, and another writer's file this one. Who
+    // holds the lock of the file that has the name keeps it.
+    struct stat named {};
+    if (::lstat(path.c_str(), &named) == 0 && named.st_dev == state.st_dev &&
+        named.st_ino == state.st_ino)
+        ::unlink(path.c_str());
 }
 
 } // namespace
