@@ -132,9 +132,10 @@ private:
     void add_mips(std::uint32_t last_face);
     void add_irradiance();
     void add_draw();
+    /// A resource that stays, read by the draw.
     void keep(const SceneResource& resource) {
         resources.push_back(resource);
-        if (resource.kept) read += resource.bytes;
+        read += resource.bytes;
     }
     std::uint64_t source_bytes(std::uint32_t size) const {
         return FACES * FLOAT_BYTES * size * size;
@@ -221,9 +222,10 @@ Result<Done> ScenePlan::State::add_prefilter(const Wanted& wanted, std::size_t s
     for (std::size_t i = 0; i < plan->maps().size(); ++i) {
         const PrefilteredMap& map = plan->maps()[i];
         names.push_back("map n=" + exponent_text(map.exponent));
-        keep({names.back().c_str(), request.map_format, map.size, map.size, FACES, 1,
-              texels(map.size) * HALF_BYTES, MAP_USAGE});
-        if (i == shown && background_map == i) read -= texels(map.size) * HALF_BYTES;
+        resources.push_back({names.back().c_str(), request.map_format, map.size, map.size, FACES, 1,
+                             texels(map.size) * HALF_BYTES, MAP_USAGE});
+        const bool is_background_alone = i == shown && background_map == i;
+        if (!is_background_alone) read += resources.back().bytes;
     }
     if (shown > 0) shading.specular_filter = plan->maps().front().filter;
     if (const Ladder ladder = plan->ladder(); ladder.rungs) {

@@ -38,6 +38,7 @@ std::uint32_t next_rows(std::uint32_t done, std::uint32_t all, std::uint64_t tex
 struct EnvironmentUpload::State {
     Gpu& gpu;
     const Image& image;
+    bool constant;
     EnvironmentPlan plan;
     GpuImage target; // what `image` is copied into
     std::optional<Resampling> resampling{};
@@ -82,8 +83,10 @@ Outcome<EnvironmentUpload> EnvironmentUpload::begin(Gpu& gpu, const Image& image
                                         .usage = ENVIRONMENT_USAGE,
                                         .cube = image.layout == Layout::cube});
         if (!target) return target.error();
-        auto state = std::make_unique<State>(State{
-            gpu, image, plan_environment(shape_of(image), face, quality), std::move(*target)});
+        const EnvironmentShape shape = shape_of(image);
+        auto state = std::make_unique<State>(State{gpu, image, shape.constant,
+                                                   plan_environment(shape, face, quality),
+                                                   std::move(*target)});
         if (image.layout == Layout::latlong) {
             auto resampling = Resampling::create(gpu, state->target, state->plan.face);
             if (!resampling) return resampling.error();
@@ -104,11 +107,10 @@ Outcome<Done> EnvironmentUpload::go_on() {
 
 GpuEnvironment EnvironmentUpload::take() {
     State& made = *state_;
-    const bool constant = shape_of(made.image).constant;
     if (!made.resampling)
-        return {std::nullopt, std::move(made.target), std::move(made.plan.report), constant};
+        return {std::nullopt, std::move(made.target), std::move(made.plan.report), made.constant};
     return {std::move(made.target), std::move(made.resampling->cube), std::move(made.plan.report),
-            constant};
+            made.constant};
 }
 
 Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face,

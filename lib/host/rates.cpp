@@ -105,17 +105,16 @@ Outcome<Done> add_drawing(Gpu& gpu, Timings& timings, const GpuEnvironment& envi
                           RenderSettings settings) {
     const bool reference = settings.method == SphereMethod::reference;
     settings.view.width = settings.view.height = reference ? REFERENCE_PICTURE : PICTURE;
+    const Rates chain = timings.rates(); // of passes that are timed by themselves
     const auto inputs = make_sphere_inputs(gpu, environment, settings, {});
     if (!inputs) return inputs.error();
     if (!inputs->plan.draws()) return Done{};
     for (const PassReport& pass : inputs->report.passes) {
         const float exponent =
             pass.name == "diffuse reference" ? 1.0f : settings.view.material.exponent;
-        if (reference)
-            timings.add(pass, exact_work(pass, exponent));
-        else if (!inputs->plan.prefilter() || pass.name == "irradiance" ||
-                 pass.name == "clipped tables" || pass.name == "blurred background")
-            timings.add(pass, find_pass(inputs->plan, pass.name)->work);
+        if (chain.contains(pass.name)) continue;
+        const ScenePass* const planned = find_pass(inputs->plan, pass.name);
+        timings.add(pass, planned ? planned->work : exact_work(pass, exponent)); // references
     }
     const auto drawing = Drawing::create(gpu, *inputs, settings.view);
     if (!drawing) return drawing.error();

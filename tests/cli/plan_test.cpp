@@ -28,6 +28,7 @@ TEST_F(PlanVerb, SaysWhatRenderDoes) {
     for (const Arguments& options : {Arguments{"--size", "24x16"},
                                      {"--size", "16x16", "--kd", "1", "--no-background"},
                                      {"--size", "16x16", "--method", "sh4", "--face", "64"},
+                                     {"--size", "16x16", "--method", "kurt2019", "--blur", "8"},
                                      {"--size", "8x8", "--method", "reference", "--face", "16"}}) {
         Arguments plan{"plan", "--json"}, render{"render", "-o", "a.exr", "--json"};
         plan.insert(plan.end(), options.begin(), options.end());
@@ -50,6 +51,17 @@ TEST_F(PlanVerb, PredictsTimes) {
     EXPECT_GT(plan["passes"].back()["cpu_ms"].get<double>() +
                   plan["passes"].front()["cpu_ms"].get<double>(),
               0.0);
+}
+
+TEST_F(PlanVerb, PredictsWhatAMethodMakesBesideTheBackgroundsMaps) {
+    const Json plan =
+        json({"plan", "--method", "kurt2019", "--blur", "8", "--size", "32x32", "--json"});
+    for (const Json& pass : plan["passes"])
+        if (pass["name"] == "mips") {
+            EXPECT_GT(pass[pass["cpu_ms"].is_null() ? "gpu_ms" : "cpu_ms"].get<double>(), 0.0);
+            return;
+        }
+    FAIL() << "no mips";
 }
 
 TEST_F(PlanVerb, SaysWhy) {
