@@ -16,13 +16,6 @@ constexpr float SHARPER_TAPS = 4.05f;    // than n + 1: Taps::five reads up to 4
 
 } // namespace
 
-Outcome<Lights> Lights::create(host::Gpu& gpu, host::MapPasses& passes,
-                               host::GpuEnvironment environment) {
-    auto resized = host::resized_cube(gpu, environment);
-    if (!resized) return resized.error();
-    return Lights(gpu, passes, std::move(environment), std::move(*resized));
-}
-
 Outcome<ScenePlan> Lights::plan(const host::RenderSettings& settings, float sharpest) const {
     return host::plan_scene(*gpu_, environment_->cube.description().width, environment_->constant,
                             settings, SHARPER_TAPS * (std::max(sharpest, EDITED_UP_TO) + 1.0f));
@@ -37,9 +30,8 @@ Outcome<Lights::Light*> Lights::begin(const ScenePlan& plan, SphereMethod method
         const PrefilterPlan* const made = light.maps.plan().prefilter();
         return made && plan.prefilter() && plan.prefilter()->shares_levels(*made);
     });
-    auto maps =
-        host::SceneMaps::create(*passes_, *environment_, resized_ ? *resized_ : environment_->cube,
-                                plan, source == lights_.end() ? nullptr : &source->maps);
+    auto maps = host::SceneMaps::create(*passes_, *environment_, plan,
+                                        source == lights_.end() ? nullptr : &source->maps);
     if (!maps) return maps.error();
     lights_.push_front({std::move(*maps), method, exponent});
     return &lights_.front();

@@ -20,8 +20,9 @@ public:
         float exponent;      // likewise
     };
 
-    static host::Outcome<Lights> create(host::Gpu& gpu, host::MapPasses& passes,
-                                        host::GpuEnvironment environment);
+    Lights(host::Gpu& gpu, host::MapPasses& passes, host::GpuEnvironment environment)
+        : gpu_(&gpu), passes_(&passes),
+          environment_(std::make_unique<host::GpuEnvironment>(std::move(environment))) {}
     const host::GpuEnvironment& environment() const { return *environment_; }
     /// What these settings call for, with levels for edits of an exponent that is `sharpest` now.
     /// Takes milliseconds.
@@ -38,18 +39,12 @@ public:
     std::uint64_t bytes() const;
 
 private:
-    Lights(host::Gpu& gpu, host::MapPasses& passes, host::GpuEnvironment environment,
-           std::optional<host::GpuImage> resized)
-        : gpu_(&gpu), passes_(&passes),
-          environment_(std::make_unique<host::GpuEnvironment>(std::move(environment))),
-          resized_(std::move(resized)) {}
     host::Outcome<Light*> begin(const ScenePlan& plan, SphereMethod method, float exponent);
 
     host::Gpu* gpu_;
     host::MapPasses* passes_;
     std::unique_ptr<host::GpuEnvironment> environment_;
-    std::optional<host::GpuImage> resized_; // its cube map, where prefilters do not read that
-    std::list<Light> lights_;               // the latest first
+    std::list<Light> lights_; // the latest first
 };
 
 } // namespace lobelia::cli

@@ -29,16 +29,14 @@ Outcome<Done> ShownEnvironment::show(Renderer& renderer, const ViewState& state)
     auto environment = source_ ? host::upload_environment(gpu, source_->image, state.face, quality)
                                : host::make_builtin_environment(gpu, state.face, quality);
     if (!environment) return environment.error();
-    return set(renderer, std::move(*environment), quality);
+    set(renderer, std::move(*environment), quality);
+    return Done{};
 }
 
-Outcome<Done> ShownEnvironment::set(Renderer& renderer, host::GpuEnvironment environment,
-                                    Quality quality) {
-    const auto done = renderer.stage().set_environment(std::move(environment));
-    if (!done) return done;
+void ShownEnvironment::set(Renderer& renderer, host::GpuEnvironment environment, Quality quality) {
+    renderer.stage().set_environment(std::move(environment));
     for_high_ = quality == Quality::high;
     ++count_;
-    return Done{};
 }
 
 Outcome<bool> ShownEnvironment::bring(Renderer& renderer, const ViewState& state) {
@@ -61,8 +59,7 @@ Outcome<bool> ShownEnvironment::bring(Renderer& renderer, const ViewState& state
         if (const auto done = upload_->go_on(); !done) return done.error();
         if (upload_->done() < 1.0 && std::chrono::steady_clock::now() >= end) return false;
     }
-    if (const auto done = set(renderer, upload_->take(), upload_quality_); !done)
-        return done.error();
+    set(renderer, upload_->take(), upload_quality_);
     upload_.reset();
     source_ = std::move(*read_);
     return true;

@@ -37,7 +37,7 @@ public:
 private:
     /// Whether what was asked for, and read if it is a file, is shown now.
     host::Outcome<bool> bring(Renderer& renderer, const ViewState& state);
-    host::Outcome<Done> set(Renderer& renderer, host::GpuEnvironment environment, Quality quality);
+    void set(Renderer& renderer, host::GpuEnvironment environment, Quality quality);
 
     Loader loader_;
     std::optional<std::string> coming_;             // path of what is to be shown next

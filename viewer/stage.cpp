@@ -27,16 +27,13 @@ Outcome<Stage> Stage::create(host::Gpu& gpu) {
     return Stage(gpu, std::move(*pipelines));
 }
 
-Outcome<Done> Stage::set_environment(host::GpuEnvironment environment) {
-    auto lights = Lights::create(*gpu_, passes_, std::move(environment));
-    if (!lights) return lights.error();
+void Stage::set_environment(host::GpuEnvironment environment) {
     reference_.forget(); // reads the old one
     left_.forget();
     right_.forget();
     background_.forget();
-    lights_ = std::move(*lights);
+    lights_.emplace(*gpu_, passes_, std::move(environment));
     ++environments_;
-    return Done{};
 }
 
 std::optional<double> Stage::reference_done() const {

@@ -18,7 +18,7 @@ public:
     static host::Outcome<Stage> create(host::Gpu& gpu);
 
     /// Shows this environment from now on.
-    host::Outcome<Done> set_environment(host::GpuEnvironment environment);
+    void set_environment(host::GpuEnvironment environment);
     const host::GpuEnvironment* environment() const {
         return lights_ ? &lights_->environment() : nullptr;
     }

@@ -52,7 +52,8 @@ struct PrefilterRequest {
     /// Of maps and ladder. Halves lose no sun: suns lie beside the maps and a power of two scales
     /// them.
     VkFormat map_format = VK_FORMAT_R16G16B16A16_SFLOAT; // or R32G32B32A32_SFLOAT
-    std::uint32_t source_size = 0; // edge of the source's faces, a power of two from 16 to 1024
+    /// Edge of the source's faces, a power of two from 16 to 1024; CubeToCube makes one of another.
+    std::uint32_t source_size = 0;
 };
 
 /// What one pass costs. Bytes count each texel once (its footprint), those of the source as

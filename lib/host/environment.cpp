@@ -30,17 +30,27 @@ Outcome<GpuEnvironment> paint_environment(Gpu& gpu, std::uint32_t face, Quality 
     if (!job) return core_failure(job.error());
 
     EnvironmentPlan plan = plan_environment(builtin_shape(), face, quality);
+    std::vector<PassReport>& passes = plan.report.passes; // sky, cube map, and that resized
     auto resampling = Resampling::create(gpu, *panorama, plan.face);
     if (!resampling) return resampling.error();
-    const auto painted = run_pass(gpu, plan.report.passes.front(),
-                                  [&](VkCommandBuffer commands) { job->record(commands); });
+    const auto painted =
+        run_pass(gpu, passes[0], [&](VkCommandBuffer commands) { job->record(commands); });
     if (!painted) return painted.error();
-    const auto resampled = run_pass(gpu, plan.report.passes.back(), [&](VkCommandBuffer commands) {
-        resampling->job.record(commands);
-    });
+    const auto resampled = run_pass(
+        gpu, passes[1], [&](VkCommandBuffer commands) { resampling->job.record(commands); });
     if (!resampled) return resampled.error();
-    return GpuEnvironment{std::move(*panorama), std::move(resampling->cube),
-                          std::move(plan.report)};
+    auto resizing = Resizing::create(gpu, resampling->cube);
+    if (!resizing) return resizing.error();
+    GpuEnvironment environment{
+        .panorama = std::move(*panorama), .cube = std::move(resampling->cube), .report = {}};
+    if (*resizing) {
+        const auto resized = run_pass(
+            gpu, passes[2], [&](VkCommandBuffer commands) { (*resizing)->job.record(commands); });
+        if (!resized) return resized.error();
+        environment.resized = std::move((*resizing)->cube);
+    }
+    environment.report = std::move(plan.report);
+    return environment;
 }
 
 } // namespace

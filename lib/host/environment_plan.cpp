@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "host/maps.h"
+
 namespace lobelia::host {
 
 namespace {
@@ -19,6 +21,19 @@ ImageReport float_image(const char* name, std::uint32_t width, std::uint32_t hei
             "R32G32B32A32_SFLOAT",
             TEXEL_BYTES * width * height * layers,
             "kept"};
+}
+
+/// The pass that makes the cube map in a size that prefilters read, where it has another.
+void add_resizing(EnvironmentPlan& plan) {
+    const std::uint32_t face = prefilter_face(plan.face);
+    if (face == plan.face) return;
+    const std::uint64_t source = FACES * plan.face * plan.face, resized = FACES * face * face;
+    plan.report.passes.push_back({.name = "cube to cube",
+                                  .invocations = resized,
+                                  .bytes_read = TEXEL_BYTES * source,
+                                  .bytes_written = TEXEL_BYTES * resized});
+    plan.work.push_back(double(source + resized));
+    plan.report.images.push_back(float_image("resized cube", face, face, FACES));
 }
 
 } // namespace
@@ -44,10 +59,14 @@ std::uint64_t source_bytes(const EnvironmentShape& shape) {
 
 EnvironmentPlan plan_environment(const EnvironmentShape& shape, std::uint32_t face,
                                  Quality quality) {
-    if (shape.layout == Layout::cube)
-        return {shape.width,
-                {.images = {float_image("environment cube", shape.width, shape.width, FACES)}},
-                {}};
+    if (shape.layout == Layout::cube) {
+        EnvironmentPlan plan{
+            shape.width,
+            {.images = {float_image("environment cube", shape.width, shape.width, FACES)}},
+            {}};
+        add_resizing(plan);
+        return plan;
+    }
     EnvironmentPlan plan{face ? face : default_face(shape.width, quality), {}, {}};
     const std::uint64_t panorama = std::uint64_t(shape.width) * shape.height;
     const std::uint64_t cube = FACES * plan.face * plan.face;
@@ -63,6 +82,7 @@ EnvironmentPlan plan_environment(const EnvironmentShape& shape, std::uint32_t fa
     plan.work.push_back(double(panorama + cube));
     plan.report.images = {float_image("panorama", shape.width, shape.height, 1),
                           float_image("environment cube", plan.face, plan.face, FACES)};
+    add_resizing(plan);
     return plan;
 }
 

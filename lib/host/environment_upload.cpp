@@ -1,6 +1,7 @@
 #include <lobelia/host/environment_upload.h>
 
 #include <algorithm>
+#include <functional>
 
 #include <lobelia/panorama.h>
 
@@ -13,7 +14,7 @@ namespace lobelia::host {
 
 namespace {
 
-constexpr std::uint64_t PART = 1 << 20; // texels of a part
+constexpr std::uint64_t PART = 1 << 18; // texels of a part
 
 std::uint32_t rows_of(const Image& image) {
     return image.layers * image.height;
@@ -27,11 +28,21 @@ bool is_complete(const Image& image) {
            image.texels.size() == std::size_t(4) * image.layers * image.height * image.width;
 }
 
-/// The next rows of `all` that hold a part's share of `texels`, one at least.
-std::uint32_t next_rows(std::uint32_t done, std::uint32_t all, std::uint64_t texels) {
-    const std::uint64_t rows = std::max<std::uint64_t>(PART * all / texels, 1);
-    return std::uint32_t(std::min<std::uint64_t>(rows, all - done));
-}
+/// Work on rows of texels, done by some at a time.
+struct Step {
+    std::uint32_t rows;
+    std::uint64_t texels; // that all rows read or write, whichever is more
+    std::function<Outcome<Done>(std::uint32_t first, std::uint32_t count)> run;
+    std::uint32_t done = 0; // rows
+
+    Outcome<Done> go_on() {
+        const std::uint64_t part = std::max<std::uint64_t>(PART * rows / texels, 1);
+        const auto count = std::uint32_t(std::min<std::uint64_t>(part, rows - done));
+        if (const auto ran = run(done, count); !ran) return ran;
+        done += count;
+        return Done{};
+    }
+};
 
 } // namespace
 
@@ -42,28 +53,42 @@ struct EnvironmentUpload::State {
     EnvironmentPlan plan;
     GpuImage target; // what `image` is copied into
     std::optional<Resampling> resampling{};
-    std::uint32_t copied = 0, resampled = 0; // rows
+    std::optional<Resizing> resizing{};
+    std::vector<Step> steps{};
 
-    std::uint32_t rows_to_resample() const { return resampling ? resampling->job.rows() : 0; }
-    Outcome<Done> go_on();
+    Outcome<Done> add_steps();
+    /// The pass of the plan that `job` carries out.
+    template <class Job>
+    void add_pass(const Job& job, PassReport& report, std::uint64_t texels) {
+        steps.push_back(
+            {job.rows(), texels, [this, &job, &report](std::uint32_t first, std::uint32_t count) {
+                 return run_pass(gpu, report, [&](VkCommandBuffer commands) {
+                     job.record(commands, first, count);
+                 });
+             }});
+    }
 };
 
-Outcome<Done> EnvironmentUpload::State::go_on() {
-    const std::uint64_t texels = std::uint64_t(image.width) * rows_of(image);
-    const std::uint64_t of_cube = std::uint64_t(plan.face) * rows_to_resample();
-    if (copied < rows_of(image)) {
-        const std::uint32_t rows = next_rows(copied, rows_of(image), texels);
-        if (const auto done = gpu.upload_rows(image, target, copied, rows); !done) return done;
-        copied += rows;
-    } else if (resampled < rows_to_resample()) {
-        const std::uint32_t rows =
-            next_rows(resampled, rows_to_resample(), std::max(texels, of_cube));
-        const auto done = run_pass(gpu, plan.report.passes.back(), [&](VkCommandBuffer commands) {
-            resampling->job.record(commands, resampled, rows);
-        });
-        if (!done) return done;
-        resampled += rows;
+Outcome<Done> EnvironmentUpload::State::add_steps() {
+    steps.push_back(
+        {rows_of(image), image.texels.size() / 4, [this](std::uint32_t first, std::uint32_t count) {
+             return gpu.upload_rows(image, target, first, count);
+         }});
+    auto pass = plan.report.passes.begin();
+    const auto larger = [](const GpuImage& one, const GpuImage& other) {
+        return std::max(image_texels(one), image_texels(other));
+    };
+    if (image.layout == Layout::latlong) {
+        auto made = Resampling::create(gpu, target, plan.face);
+        if (!made) return made.error();
+        resampling = std::move(*made);
+        add_pass(resampling->job, *pass++, larger(target, resampling->cube));
     }
+    const GpuImage& cube = resampling ? resampling->cube : target;
+    auto made = Resizing::create(gpu, cube);
+    if (!made) return made.error();
+    resizing = std::move(*made);
+    if (resizing) add_pass(resizing->job, *pass, larger(cube, resizing->cube));
     return Done{};
 }
 
@@ -87,30 +112,37 @@ Outcome<EnvironmentUpload> EnvironmentUpload::begin(Gpu& gpu, const Image& image
         auto state = std::make_unique<State>(State{gpu, image, shape.constant,
                                                    plan_environment(shape, face, quality),
                                                    std::move(*target)});
-        if (image.layout == Layout::latlong) {
-            auto resampling = Resampling::create(gpu, state->target, state->plan.face);
-            if (!resampling) return resampling.error();
-            state->resampling = std::move(*resampling);
-        }
+        if (const auto added = state->add_steps(); !added) return added.error();
         return EnvironmentUpload(std::move(state));
     });
 }
 
 double EnvironmentUpload::done() const {
-    const double all = double(rows_of(state_->image)) + double(state_->rows_to_resample());
-    return (double(state_->copied) + double(state_->resampled)) / all;
+    double done = 0, all = 0; // rows
+    for (const Step& step : state_->steps) {
+        done += step.done;
+        all += step.rows;
+    }
+    return done / all;
 }
 
 Outcome<Done> EnvironmentUpload::go_on() {
-    return guarded([&] { return state_->go_on(); });
+    return guarded([&]() -> Outcome<Done> {
+        for (Step& step : state_->steps)
+            if (step.done < step.rows) return step.go_on();
+        return Done{};
+    });
 }
 
 GpuEnvironment EnvironmentUpload::take() {
     State& made = *state_;
-    if (!made.resampling)
-        return {std::nullopt, std::move(made.target), std::move(made.plan.report), made.constant};
-    return {std::move(made.target), std::move(made.resampling->cube), std::move(made.plan.report),
-            made.constant};
+    GpuEnvironment environment{.cube =
+                                   std::move(made.resampling ? made.resampling->cube : made.target),
+                               .report = std::move(made.plan.report),
+                               .constant = made.constant};
+    if (made.resampling) environment.panorama = std::move(made.target);
+    if (made.resizing) environment.resized = std::move(made.resizing->cube);
+    return environment;
 }
 
 Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face,

@@ -33,7 +33,7 @@ Outcome<Stage> set_up(Gpu& gpu, const RenderSettings& settings, const Image& fir
                            .ladder = ladder_for(Taps::two, exponent, exponent),
                            .quality = settings.quality});
     if (!maps) return maps.error();
-    if (maps->resized)
+    if (environment->resized)
         return Failure{"the light's cube maps have faces of " + std::to_string(first.width) +
                        " texels, give a power of two from 16 to 1024"};
     PassReport upload; // is no part of a frame

@@ -8,7 +8,6 @@
 #include <lobelia/expected_error.h>
 
 #include "host/averages.h"
-#include "host/resize.h"
 #include "host/text.h"
 
 namespace lobelia::host {
@@ -70,35 +69,17 @@ std::uint32_t prefilter_face(std::uint32_t face) {
     return std::clamp(std::bit_ceil(face), LEAST_FACE, LARGEST_FACE);
 }
 
-Outcome<std::optional<GpuImage>> resized_cube(Gpu& gpu, const GpuEnvironment& environment) {
-    const std::uint32_t face = environment.cube.description().width;
-    if (prefilter_face(face) == face) return std::optional<GpuImage>{};
-    const auto cube = gpu.download(environment.cube, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-    if (!cube) return cube.error();
-    GpuImageDescription shape = environment.cube.description();
-    shape.width = shape.height = prefilter_face(face);
-    auto image = gpu.create_image(shape);
-    if (!image) return image.error();
-    if (const auto done = gpu.upload(resize_faces(*cube, shape.width), *image); !done)
-        return done.error();
-    return std::optional<GpuImage>(std::move(*image));
-}
-
 Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, PrefilterRequest request) {
-    request.source_size = prefilter_face(environment.cube.description().width);
+    request.source_size = environment.source().description().width;
     const auto plan = PrefilterPlan::make(request);
     if (!plan) return core_failure(plan.error());
     return bind_maps(gpu, environment, *plan);
 }
 
 Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, const PrefilterPlan& plan) {
-    auto resized = resized_cube(gpu, environment);
-    if (!resized) return resized.error();
     const auto prefilter = Prefilter::create(gpu.device());
     if (!prefilter) return core_failure(prefilter.error());
-    auto job = bind_maps(gpu, *prefilter, *resized ? **resized : environment.cube, plan);
-    if (job) job->resized = std::move(*resized);
-    return job;
+    return bind_maps(gpu, *prefilter, environment.source(), plan);
 }
 
 Outcome<MapsJob> bind_maps(Gpu& gpu, const Prefilter& prefilter, const GpuImage& source,
@@ -136,7 +117,7 @@ Outcome<MapsJob> bind_maps(Gpu& gpu, const Prefilter& prefilter, const GpuImage&
                          std::move(*ladder),
                          std::move(*state),
                          {}};
-    return MapsJob{plan, std::nullopt, std::move(scratch), std::move(*job), std::move(maps)};
+    return MapsJob{plan, std::move(scratch), std::move(*job), std::move(maps)};
 }
 
 Outcome<PrefilteredMaps> make_maps(Gpu& gpu, const GpuEnvironment& environment,

@@ -29,14 +29,13 @@ std::uint32_t sun_count(const PrefilteredMaps& maps);
 /// Maps that are ready to be made, any number of times, by recording all passes of `plan`.
 struct MapsJob {
     PrefilterPlan plan;
-    std::optional<GpuImage> resized; // the source, where the environment's cube is none
     std::shared_ptr<const GpuBuffer> scratch;
     PrefilterJob job;
     PrefilteredMaps maps;
 };
-/// The request's source size is that of the environment.
+/// The request's source size is that of the environment's source().
 Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, PrefilterRequest request);
-/// The plan's source size is prefilter_face() of the environment's.
+/// The plan is for the environment's source().
 Outcome<MapsJob> bind_maps(Gpu& gpu, const GpuEnvironment& environment, const PrefilterPlan& plan);
 /// From a source of the plan's size. With `levels_of`, a job of the same source whose plan shares
 /// levels and whose passes have made them, the passes from first_map_pass() on are enough.

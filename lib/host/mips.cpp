@@ -59,9 +59,7 @@ Outcome<MipsToMake> bind_mips(Gpu& gpu, const Mips& mips, const GpuImage& source
 
 Outcome<EnvironmentMips> make_mips(Gpu& gpu, const GpuEnvironment& environment,
                                    std::uint32_t last_face, MipWeights weights) {
-    const auto resized = resized_cube(gpu, environment);
-    if (!resized) return resized.error();
-    const GpuImage& source = *resized ? **resized : environment.cube;
+    const GpuImage& source = environment.source();
     const auto mips = Mips::create(gpu.device());
     if (!mips) return core_failure(mips.error());
     auto bound = bind_mips(gpu, *mips, source, last_face, weights);

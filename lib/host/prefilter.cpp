@@ -85,7 +85,7 @@ Outcome<Prefiltering> by_chain(Gpu& gpu, const GpuEnvironment& environment,
     const auto plan =
         PrefilterPlan::make({.exponents = settings.exponents,
                              .quality = settings.quality,
-                             .source_size = prefilter_face(environment.cube.description().width)});
+                             .source_size = environment.source().description().width});
     if (!plan) return core_failure(plan.error());
     const auto maps = make_maps(gpu, environment, *plan, share(progress, 0.0, 0.5));
     if (!maps) return maps.error();
@@ -125,7 +125,7 @@ Outcome<Prefiltering> make_prefiltering(Gpu& gpu, const GpuEnvironment& environm
     auto made = by_method(gpu, environment, settings, progress);
     if (made)
         made->report.expected_error =
-            expected_error(settings, prefilter_face(environment.cube.description().width));
+            expected_error(settings, environment.source().description().width);
     return made;
 }
 

@@ -13,7 +13,9 @@ namespace lobelia::host {
 
 namespace {
 
-constexpr std::uint32_t FACE = 128; // of the environment that passes are timed on
+// Of the environment that passes are timed on: no size that prefilters read, so that making it one
+// is timed, too.
+constexpr std::uint32_t FACE = 96;
 constexpr std::uint32_t PICTURE = 192;
 constexpr std::uint32_t REFERENCE_PICTURE = 16;
 constexpr std::uint32_t MAP_FACE = 32;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include <lobelia/cube_to_cube.h>
 #include <lobelia/host/gpu.h>
 #include <lobelia/panorama.h>
 
@@ -16,6 +19,15 @@ struct Resampling {
     PanoramaToCubeJob job;
 
     static Outcome<Resampling> create(Gpu& gpu, const GpuImage& panorama, std::uint32_t face);
+};
+
+/// A cube map in a size that prefilters read, with what makes it of one in another.
+struct Resizing {
+    GpuImage cube;
+    CubeToCubeJob job;
+
+    /// Nothing where `source` has such a size.
+    static Outcome<std::optional<Resizing>> create(Gpu& gpu, const GpuImage& source);
 };
 
 } // namespace lobelia::host

@@ -39,8 +39,7 @@ struct SceneMaps::State {
     std::size_t level_passes = 0;             // once that many have run there are levels to share
     std::optional<std::size_t> tables_pass{}; // the one that makes the tables that all share
 
-    Outcome<Done> bind(const GpuEnvironment& environment, const GpuImage& source,
-                       const State* before);
+    Outcome<Done> bind(const GpuEnvironment& environment, const State* before);
     Outcome<PassReport> run_next();
     const PrefilteredMaps* prefiltered() const {
         return maps ? &*maps : job ? &job->maps : nullptr;
@@ -72,16 +71,15 @@ Outcome<const Pass*> compiled(Gpu& gpu, std::optional<Pass>& pass) {
 
 } // namespace
 
-Outcome<Done> SceneMaps::State::bind(const GpuEnvironment& environment, const GpuImage& source,
-                                     const State* before) {
+Outcome<Done> SceneMaps::State::bind(const GpuEnvironment& environment, const State* before) {
     sources.background = environment.cube.view();
     if (environment.constant) sources.diffuse = sources.specular = sources.background;
     if (find_pass(plan, "irradiance"))
         if (const auto bound = bind_irradiance(environment.cube); !bound) return bound;
     if (find_pass(plan, "mips"))
-        if (const auto bound = bind_mips(source); !bound) return bound;
+        if (const auto bound = bind_mips(environment.source()); !bound) return bound;
     if (plan.prefilter())
-        if (const auto bound = bind_prefilter(source, before); !bound) return bound;
+        if (const auto bound = bind_prefilter(environment.source(), before); !bound) return bound;
     if (plan.clipped_tables())
         if (const auto bound = bind_tables(); !bound) return bound;
     return plan.background_map() ? bind_background() : Done{};
@@ -198,12 +196,10 @@ Outcome<PassReport> SceneMaps::State::run_next() {
 }
 
 Outcome<SceneMaps> SceneMaps::create(MapPasses& passes, const GpuEnvironment& environment,
-                                     const GpuImage& source, const ScenePlan& plan,
-                                     const SceneMaps* before) {
+                                     const ScenePlan& plan, const SceneMaps* before) {
     return guarded([&]() -> Outcome<SceneMaps> {
         auto state = std::make_unique<State>(State{passes.state(), plan});
-        const auto bound =
-            state->bind(environment, source, before ? before->state_.get() : nullptr);
+        const auto bound = state->bind(environment, before ? before->state_.get() : nullptr);
         if (!bound) return bound.error();
         return SceneMaps(std::move(state));
     });

@@ -64,21 +64,11 @@ Outcome<SphereInputs> make_sphere_inputs(Gpu& gpu, const GpuEnvironment& environ
     auto plan =
         plan_scene(gpu, environment.cube.description().width, environment.constant, settings);
     if (!plan) return plan.error();
-    const bool reads_resized = plan->prefilter() || find_pass(*plan, "mips");
-    std::optional<GpuImage> resized;
-    if (reads_resized) {
-        auto made = resized_cube(gpu, environment);
-        if (!made) return made.error();
-        resized = std::move(*made);
-    }
     MapPasses passes(gpu);
-    auto maps =
-        SceneMaps::create(passes, environment, resized ? *resized : environment.cube, *plan);
+    auto maps = SceneMaps::create(passes, environment, *plan);
     if (!maps) return maps.error();
-    SphereInputs inputs{.plan = std::move(*plan),
-                        .passes = std::move(passes),
-                        .resized = std::move(resized),
-                        .maps = std::move(*maps)};
+    SphereInputs inputs{
+        .plan = std::move(*plan), .passes = std::move(passes), .maps = std::move(*maps)};
     if (const auto made = run(inputs, progress); !made) return made.error();
     if (inputs.plan.shading().method == SphereMethod::reference) {
         const auto made = add_references(inputs, gpu, environment, settings.view, progress);

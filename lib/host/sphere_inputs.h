@@ -11,7 +11,6 @@ namespace lobelia::host {
 struct SphereInputs {
     ScenePlan plan;
     MapPasses passes;
-    std::optional<GpuImage> resized; // as resized_cube()
     SceneMaps maps;
     ReferenceBuffers references{};
     SphereShading shading{}; // the plan's, without suns where none were found

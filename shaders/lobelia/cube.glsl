@@ -71,21 +71,25 @@ SHARED float triangle_solid_angle(vec3 a, vec3 b, vec3 c, float double_area) {
     return 2.0f * atan_series(double_area / denominator);
 }
 
-// Solid angle in steradians of texel (x, y) of any face of `size` texels a side. The usual form, a
-// difference of four arctangents, loses the digits of small texels; here nothing cancels, and the
-// relative error is below 1e-6 at every size.
+// Solid angle in steradians of a rectangle of `area` on any face, in face coordinates from -1 to 1.
+// The usual form, a difference of four arctangents, loses the digits of small ones; here nothing
+// cancels, and the relative error is below 1e-6 at every size.
+SHARED float cube_solid_angle(float left, float top, float right, float bottom, float area) {
+    vec3 a = vec3(left, top, 1.0f);
+    vec3 b = vec3(right, top, 1.0f);
+    vec3 c = vec3(right, bottom, 1.0f);
+    vec3 d = vec3(left, bottom, 1.0f);
+    return triangle_solid_angle(a, b, c, area) + triangle_solid_angle(a, c, d, area);
+}
+
+// The same of texel (x, y) of a face of `size` texels a side.
 SHARED float cube_texel_solid_angle(uint x, uint y, uint size) {
     float texel = 2.0f / float(size);
     float left = (float(2u * x) - float(size)) / float(size);
     float top = (float(2u * y) - float(size)) / float(size);
     float right = (float(2u * x + 2u) - float(size)) / float(size);
     float bottom = (float(2u * y + 2u) - float(size)) / float(size);
-    vec3 a = vec3(left, top, 1.0f);
-    vec3 b = vec3(right, top, 1.0f);
-    vec3 c = vec3(right, bottom, 1.0f);
-    vec3 d = vec3(left, bottom, 1.0f);
-    return triangle_solid_angle(a, b, c, texel * texel) +
-           triangle_solid_angle(a, c, d, texel * texel);
+    return cube_solid_angle(left, top, right, bottom, texel * texel);
 }
 
 #endif

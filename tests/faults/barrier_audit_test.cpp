@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <lobelia/clipped_tables.h>
+#include <lobelia/cube_to_cube.h>
 #include <lobelia/exact.h>
 #include <lobelia/host/work.h>
 #include <lobelia/importance.h>
@@ -141,7 +142,8 @@ TEST_F(BarrierAuditTest, Exact) {
     }
 }
 
-TEST_F(BarrierAuditTest, MipsIrradianceSamplesAndTables) {
+TEST_F(BarrierAuditTest, SizesMipsIrradianceSamplesAndTables) {
+    const host::GpuImage odd = cube(48, VK_FORMAT_R32G32B32A32_SFLOAT);
     const host::GpuImage source = cube(64, VK_FORMAT_R32G32B32A32_SFLOAT);
     const host::GpuImage levels = cube(64, VK_FORMAT_R16G16B16A16_SFLOAT, 7);
     const host::GpuImage table = image({.format = ClippedTables::FORMAT,
@@ -152,10 +154,12 @@ TEST_F(BarrierAuditTest, MipsIrradianceSamplesAndTables) {
     const host::GpuBuffer coefficients = buffer(Irradiance::COEFFICIENTS_SIZE);
     const host::GpuBuffer directions = buffer(1000 * 16), results = buffer(1000 * 16);
     const host::GpuBuffer table_buffer = buffer(ClippedTables::BUFFER_BYTES);
+    const auto resizing = value_of(CubeToCube::create(gpu.device()));
     const auto mips = value_of(Mips::create(gpu.device()));
     const auto irradiance = value_of(Irradiance::create(gpu.device()));
     const auto importance = value_of(Importance::create(gpu.device()));
     const auto tables = value_of(ClippedTables::create(gpu.device()));
+    const auto resized = value_of(resizing.bind(cube_of(odd), cube_of(source)));
     const auto halved = value_of(mips.bind(cube_of(source), cube_of(levels)));
     const auto summed =
         value_of(irradiance.bind(cube_of(source), scratch.handle(), coefficients.handle()));
@@ -165,6 +169,7 @@ TEST_F(BarrierAuditTest, MipsIrradianceSamplesAndTables) {
         directions.handle(), results.handle()));
     value_of(gpu.submit([&](VkCommandBuffer commands) {
         for (int i = 0; i < 2; ++i) {
+            resized.record(commands);
             halved.record(commands);
             summed.record(commands);
             sampled.record(commands, 0, sampled.steps());

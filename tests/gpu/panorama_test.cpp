@@ -109,17 +109,22 @@ TEST_F(PanoramaTest, IsBroughtToTheDeviceInParts) {
         before = upload.done();
         value_of(upload.go_on());
     }
-    EXPECT_EQ(parts, 6); // of 2^20 texels: three to copy and three to resample
+    EXPECT_EQ(parts, 18); // of 2^18 texels: nine to copy and nine to resample
     const host::GpuEnvironment made = upload.take();
     const auto layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     EXPECT_EQ(value_of(gpu.download(*made.panorama, layout)).texels, source.texels);
     EXPECT_EQ(value_of(gpu.download(made.cube, layout)).texels, resample(source, 64).texels);
 
-    const Image cube = image_of(oracle::random_cube(oracle::Scene::noise, 500, 3));
+    const Image cube = image_of(oracle::random_cube(oracle::Scene::noise, 250, 3));
     upload = value_of(host::EnvironmentUpload::begin(gpu, cube));
     for (parts = 0; upload.done() < 1; ++parts) value_of(upload.go_on());
-    EXPECT_EQ(parts, 2); // which meet within a face
-    EXPECT_EQ(value_of(gpu.download(upload.take().cube, layout)).texels, cube.texels);
+    EXPECT_EQ(parts, 4); // two to copy, which meet within a face, and two to make it one of 256
+    const host::GpuEnvironment odd = upload.take();
+    EXPECT_EQ(value_of(gpu.download(odd.cube, layout)).texels, cube.texels);
+    const Image resized = value_of(gpu.download(odd.source(), layout));
+    EXPECT_EQ(resized.width, 256u);
+    const oracle::Rgb before = mean(cube), after = mean(resized);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(after[c], before[c], 4e-6 * before[c]);
 }
 
 TEST_F(PanoramaTest, StaysBetweenTheLeastAndTheMostLight) {

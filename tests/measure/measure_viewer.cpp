@@ -126,9 +126,16 @@ void measure_edits(const Desktop& desktop, const std::string& panorama) {
     session.wait_for("the panorama",
                      [&](const Json& frame) { return frame["environment"] == panorama; });
     session.wait_until_still();
-    double cpu_ms = 0.0;
-    for (const Json& frame : session.take_frames()) cpu_ms += frame["cpu_ms"].get<double>();
-    std::printf("another panorama, from Enter to the last pass: %.2f s CPU\n", 1e-3 * cpu_ms);
+    double cpu_ms = 0.0, before = -1.0, longest_gap = 0.0;
+    for (const Json& frame : session.take_frames()) {
+        cpu_ms += frame["cpu_ms"].get<double>();
+        const double now = 1e3 * frame["seconds"].get<double>();
+        if (before >= 0.0) longest_gap = std::max(longest_gap, now - before);
+        before = now;
+    }
+    std::printf("another panorama, from Enter to the last pass: %.2f s CPU, longest time between "
+                "frames %.0f ms\n",
+                1e-3 * cpu_ms, longest_gap);
     session.key("ctrl+q");
     session.child().wait(60s);
 }

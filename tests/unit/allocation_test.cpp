@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <lobelia/clipped_tables.h>
+#include <lobelia/cube_to_cube.h>
 #include <lobelia/exact.h>
 #include <lobelia/importance.h>
 #include <lobelia/irradiance.h>
@@ -118,6 +119,10 @@ std::function<void()> make_tables() {
 
 const Case CASES[] = {
     {"ClippedTables", make_tables, false},
+    {"CubeToCube",
+     [] {
+         return recording(value_of(value_of(CubeToCube::create(DEVICE)).bind(cube(48), cube(64))));
+     }},
     {"Exact", make_exact},
     {"Importance", make_importance},
     {"Irradiance",

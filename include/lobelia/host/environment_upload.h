@@ -18,8 +18,8 @@ public:
     ~EnvironmentUpload();
 
     double done() const; // in [0, 1]
-    /// Runs a part and waits for it: of a million texels at most, a tenth of a second on two CPU
-    /// cores.
+    /// Runs a part and waits for it: of a quarter of a million texels at most, some hundredths of a
+    /// second on two CPU cores.
     Outcome<Done> go_on();
     /// The environment, once, when all is done.
     GpuEnvironment take();

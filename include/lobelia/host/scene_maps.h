@@ -35,13 +35,11 @@ private:
 /// environment, made pass by pass. What SphereMethod::reference integrates is not among it.
 class SceneMaps {
 public:
-    /// Makes images, buffers and descriptors; nothing runs yet. `source` is the environment's cube
-    /// map in a size that prefilters read (resized_cube()); all arguments but the plan outlive
+    /// Makes images, buffers and descriptors; nothing runs yet. All arguments but the plan outlive
     /// this. From `before`, maps of the same source, come the levels where the plans share them
     /// and its passes have made them: only passes that make maps are left then.
     static Outcome<SceneMaps> create(MapPasses& passes, const GpuEnvironment& environment,
-                                     const GpuImage& source, const ScenePlan& plan,
-                                     const SceneMaps* before = nullptr);
+                                     const ScenePlan& plan, const SceneMaps* before = nullptr);
     SceneMaps(SceneMaps&&) noexcept;
     SceneMaps& operator=(SceneMaps&&) noexcept;
     ~SceneMaps();

@@ -47,12 +47,16 @@ struct WorkReport {
 };
 
 /// An environment on the device: the panorama as it was read, if it was one, and the cube map made
-/// of it. Both in SHADER_READ_ONLY_OPTIMAL.
+/// of it. All in SHADER_READ_ONLY_OPTIMAL.
 struct GpuEnvironment {
     std::optional<GpuImage> panorama;
-    GpuImage cube; // R32G32B32A32_SFLOAT, one level
+    GpuImage cube;                   // R32G32B32A32_SFLOAT, one level
+    std::optional<GpuImage> resized; // the same in another size, where source() calls for it
     WorkReport report;
     bool constant = false; // all texels are known to be equal: nothing need be averaged
+
+    /// What Prefilter and Mips read: faces of a power of two from 16 to 1024 texels.
+    const GpuImage& source() const { return resized ? *resized : cube; }
 };
 
 /// The faces of the cube map that a panorama is made into where nothing else is asked for: the next
@@ -62,10 +66,6 @@ std::uint32_t default_face(std::uint32_t panorama_width, Quality quality = Quali
 /// Uploads `image` and makes the cube map: `face` texels, or default_face() where `face` is 0.
 Outcome<GpuEnvironment> upload_environment(Gpu& gpu, const Image& image, std::uint32_t face = 0,
                                            Quality quality = Quality::normal);
-
-/// The environment's cube map in a size that Prefilter and Mips read, a power of two from 16 to
-/// 1024; nothing where it has one already.
-Outcome<std::optional<GpuImage>> resized_cube(Gpu& gpu, const GpuEnvironment& environment);
 
 constexpr std::uint32_t BUILTIN_WIDTH = 1024;
 
