@@ -106,16 +106,27 @@ std::string time_left(double seconds) {
     return std::to_string(int(std::ceil(seconds / 60.0))) + " min";
 }
 
+/// The end of the cases that are compared with the one at `first`, and measured together.
+std::size_t end_of_compared(const std::vector<MeasureCase>& cases, std::size_t first) {
+    std::size_t end = first + 1;
+    while (end < cases.size() && cases[end].task == cases[first].task &&
+           cases[end].environment == cases[first].environment &&
+           cases[end].exponent == cases[first].exponent)
+        ++end;
+    return end;
+}
+
 Outcome<Done> measure_all(host::Gpu& gpu, const std::vector<MeasureSource>& sources,
                           const MeasurePlan& plan, MeasureFolder& folder, ProgressLine& progress) {
     std::vector<MeasureCase> missing = measure_cases(sources, plan);
     std::erase_if(missing, [&](const MeasureCase& what) { return folder.has(what); });
     Measurer measurer(gpu, folder);
     const auto start = std::chrono::steady_clock::now();
-    for (std::size_t i = 0; i < missing.size(); ++i) {
+    for (std::size_t i = 0, next; i < missing.size(); i = next) {
+        next = end_of_compared(missing, i);
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-        std::string step =
-            "measuring " + std::to_string(i + 1) + " of " + std::to_string(missing.size());
+        std::string step = "measuring " + std::to_string(i + 1) + " to " + std::to_string(next) +
+                           " of " + std::to_string(missing.size());
         if (i > 0)
             step += ", about " +
                     time_left(passed.count() / double(i) * double(missing.size() - i)) + " left";
@@ -123,9 +134,9 @@ Outcome<Done> measure_all(host::Gpu& gpu, const std::vector<MeasureSource>& sour
         const auto source = std::find_if(sources.begin(), sources.end(), [&](const auto& one) {
             return one.name == missing[i].environment;
         });
-        const auto row = measurer.measure(missing[i], *source);
-        if (!row) return row.error();
-        if (const auto kept = folder.add(*row); !kept) return kept.error();
+        const auto rows = measurer.measure({&missing[i], next - i}, *source);
+        if (!rows) return rows.error();
+        if (const auto kept = folder.add(*rows); !kept) return kept.error();
     }
     return Done{};
 }

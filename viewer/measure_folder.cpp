@@ -109,8 +109,8 @@ bool MeasureFolder::has(const MeasureCase& what) const {
                        [&](const MeasureRow& row) { return row.what == what; });
 }
 
-Outcome<Done> MeasureFolder::add(const MeasureRow& row) {
-    rows_.push_back(row);
+Outcome<Done> MeasureFolder::add(const std::vector<MeasureRow>& rows) {
+    rows_.insert(rows_.end(), rows.begin(), rows.end());
     const DeferredInterrupts both_files;
     if (const auto written = write(TABLE, as_csv(rows_)); !written) return written.error();
     Json report = head_;

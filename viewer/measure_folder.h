@@ -20,8 +20,8 @@ public:
     bool has(const MeasureCase& what) const;
     nlohmann::ordered_json head() const { return head_; } // all of measure.json but the rows
 
-    /// Keeps a row: writes measure.csv and measure.json anew.
-    host::Outcome<Done> add(const MeasureRow& row);
+    /// Keeps rows: writes measure.csv and measure.json anew.
+    host::Outcome<Done> add(const std::vector<MeasureRow>& rows);
 
     /// Replaces the file `name` in the folder.
     host::Outcome<Done> write(const std::string& name, const std::string& text) const;

@@ -1,6 +1,8 @@
 #include "measure_work.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <random>
 
@@ -63,6 +65,17 @@ SphereMethod render_method(const std::string& name) {
     return SphereMethod::reference;
 }
 
+bool is_exact(const MeasureCase& what) {
+    return what.task == "prefilter"
+               ? *parse_prefilter_method(what.method) == host::PrefilterMethod::exact
+               : render_method(what.method) == SphereMethod::reference;
+}
+
+Outcome<Measured> only(const Outcome<std::vector<Measured>>& all) {
+    if (!all) return all.error();
+    return all->front();
+}
+
 /// Light adds up, and so does the work.
 Measured sum(Measured one, const Measured& other) {
     for (std::size_t i = 0; i < one.colours.size(); ++i) one.colours[i] += other.colours[i];
@@ -96,84 +109,93 @@ Outcome<const host::GpuEnvironment*> Measurer::upload(const MeasureSource& sourc
     return &known->second;
 }
 
-Outcome<double> Measurer::yardstick(std::uint32_t face) {
-    const auto known = yardsticks_.find(face);
-    if (known != yardsticks_.end()) return known->second;
-    const auto cost = host::measure_mip_chain(gpu_, face);
-    if (!cost) return cost.error();
-    yardsticks_[face] = cost->cpu_ms;
-    return cost->cpu_ms;
-}
-
-Outcome<Measured> Measurer::exact_prefilter(const MeasureCase& what, const MeasureSource& source) {
-    const auto environment = upload(source, source.face);
-    if (!environment) return environment.error();
+Outcome<Measured> Measurer::exact_prefilter(float exponent, const MeasureSource& source) {
     return folder_.remembered(
-        source.fingerprint + "-n" + number_text(what.exponent), [&]() -> Outcome<Measured> {
-            return host::measure_prefilter(
-                gpu_, **environment,
-                {.method = host::PrefilterMethod::exact, .exponents = {what.exponent}},
-                directions());
+        source.fingerprint + "-n" + number_text(exponent), [&]() -> Outcome<Measured> {
+            const auto environment = upload(source, source.face);
+            if (!environment) return environment.error();
+            const host::PrefilterCase exact{
+                *environment, {.method = host::PrefilterMethod::exact, .exponents = {exponent}}};
+            return only(host::measure_prefilter(gpu_, {&exact, 1}, directions()));
         });
 }
 
-Outcome<Measured> Measurer::prefilter(const MeasureCase& what,
-                                      const host::GpuEnvironment& environment) {
-    return host::measure_prefilter(gpu_, environment, prefilter_settings(what), directions());
-}
-
-Outcome<Measured> Measurer::reference(const MeasureCase& what, const MeasureSource& source) {
-    const auto environment = upload(source, source.face);
-    if (!environment) return environment.error();
+Outcome<Measured> Measurer::reference(float exponent, const MeasureSource& source) {
     // The diffuse part is the same for every exponent.
     const auto part = [&](const std::string& name, float diffuse, float specular) {
         return folder_.remembered(
             source.fingerprint + "-sphere-" + name, [&]() -> Outcome<Measured> {
-                return host::measure_shading(
-                    gpu_, **environment,
-                    render_settings(SphereMethod::reference, diffuse, specular, what.exponent),
-                    TIMED_SIZE);
+                const auto environment = upload(source, source.face);
+                if (!environment) return environment.error();
+                const host::ShadingCase reference{
+                    *environment,
+                    render_settings(SphereMethod::reference, diffuse, specular, exponent)};
+                return only(host::measure_shading(gpu_, {&reference, 1}, TIMED_SIZE));
             });
     };
     auto diffuse = part("diffuse", DIFFUSE, 0.0f);
     if (!diffuse) return diffuse.error();
-    const auto specular = part("n" + number_text(what.exponent), 0.0f, SPECULAR);
+    const auto specular = part("n" + number_text(exponent), 0.0f, SPECULAR);
     if (!specular) return specular.error();
     return sum(std::move(*diffuse), *specular);
 }
 
-Outcome<Measured> Measurer::shade(const MeasureCase& what,
-                                  const host::GpuEnvironment& environment) {
-    host::RenderSettings settings =
-        render_settings(render_method(what.method), DIFFUSE, SPECULAR, what.exponent);
-    if (what.samples) settings.samples = *what.samples;
-    if (what.quality) settings.quality = *parse_quality(*what.quality);
-    return host::measure_shading(gpu_, environment, settings, TIMED_SIZE);
+Outcome<std::vector<Measured>> Measurer::prefilter(std::span<const MeasureCase> cases,
+                                                   const MeasureSource& source) {
+    std::vector<host::PrefilterCase> methods;
+    for (const MeasureCase& what : cases) {
+        const auto environment = upload(source, what.face_size);
+        if (!environment) return environment.error();
+        methods.push_back({*environment, prefilter_settings(what)});
+    }
+    return host::measure_prefilter(gpu_, methods, directions());
 }
 
-Outcome<MeasureRow> Measurer::measure(const MeasureCase& what, const MeasureSource& source) {
-    if (environment_ != source.name) uploads_.clear();
-    // The machine drifts: the yardstick is measured beside what it is held against.
-    if (environment_ != source.name || exponent_ != what.exponent) yardsticks_.clear();
-    environment_ = source.name;
-    exponent_ = what.exponent;
+Outcome<std::vector<Measured>> Measurer::shade(std::span<const MeasureCase> cases,
+                                               const MeasureSource& source) {
+    std::vector<host::ShadingCase> methods;
+    for (const MeasureCase& what : cases) {
+        const auto environment = upload(source, what.face_size);
+        if (!environment) return environment.error();
+        methods.push_back({*environment, render_settings(render_method(what.method), DIFFUSE,
+                                                         SPECULAR, what.exponent)});
+        host::RenderSettings& settings = methods.back().settings;
+        if (what.samples) settings.samples = *what.samples;
+        if (what.quality) settings.quality = *parse_quality(*what.quality);
+    }
+    return host::measure_shading(gpu_, methods, TIMED_SIZE);
+}
 
-    const bool prefilters = what.task == "prefilter";
-    const auto exact = prefilters ? exact_prefilter(what, source) : reference(what, source);
+Outcome<std::vector<MeasureRow>> Measurer::measure(std::span<const MeasureCase> cases,
+                                                   const MeasureSource& source) {
+    if (environment_ != source.name) uploads_.clear();
+    environment_ = source.name;
+    const bool prefilters = cases.front().task == "prefilter";
+    const float exponent = cases.front().exponent;
+
+    const auto exact = prefilters ? exact_prefilter(exponent, source) : reference(exponent, source);
     if (!exact) return exact.error();
-    const auto environment = upload(source, what.face_size);
-    if (!environment) return environment.error();
-    const bool is_exact = prefilters
-                              ? *parse_prefilter_method(what.method) == host::PrefilterMethod::exact
-                              : render_method(what.method) == SphereMethod::reference;
-    const auto measured = is_exact     ? exact
-                          : prefilters ? prefilter(what, **environment)
-                                       : shade(what, **environment);
+    std::vector<MeasureCase> methods; // all others
+    std::copy_if(cases.begin(), cases.end(), std::back_inserter(methods),
+                 [](const MeasureCase& what) { return !is_exact(what); });
+    const auto measured = prefilters ? prefilter(methods, source) : shade(methods, source);
     if (!measured) return measured.error();
-    const auto mip_chain = yardstick(what.face_size);
-    if (!mip_chain) return mip_chain.error();
-    return MeasureRow{what, host::measure_error(measured->colours, exact->colours), measured->cost,
-                      *mip_chain};
+
+    // The machine drifts: the yardsticks are measured beside what is held against them.
+    std::map<std::uint32_t, double> yardsticks; // by face size
+    std::vector<MeasureRow> rows;
+    auto next = measured->begin();
+    for (const MeasureCase& what : cases) {
+        if (!yardsticks.contains(what.face_size)) {
+            const auto cost = host::measure_mip_chain(gpu_, what.face_size);
+            if (!cost) return cost.error();
+            yardsticks[what.face_size] = cost->cpu_ms;
+        }
+        const Measured& found = is_exact(what) ? *exact : *next++;
+        rows.push_back({what, host::measure_error(found.colours, exact->colours), found.cost,
+                        yardsticks[what.face_size]});
+    }
+    return rows;
 }
 
 } // namespace lobelia::cli

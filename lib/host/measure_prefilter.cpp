@@ -29,28 +29,29 @@ std::vector<float> colours_of(const std::vector<float>& texels) {
     return colours;
 }
 
-Outcome<Measured> measure_chain(Gpu& gpu, const GpuEnvironment& environment,
-                                const PrefilterSettings& settings, Directions directions) {
-    const auto bound =
+Outcome<Untimed> by_chain(Gpu& gpu, const GpuEnvironment& environment,
+                          const PrefilterSettings& settings, Directions directions) {
+    auto made =
         bind_maps(gpu, environment,
                   {.exponents = {settings.exponents.data(), 1}, .quality = settings.quality});
-    if (!bound) return bound.error();
-    const PrefilterPlan& plan = bound->plan;
-    auto cost = warm_cost(gpu, [&](PassReport& report) {
+    if (!made) return made.error();
+    const auto bound = std::make_shared<MapsJob>(std::move(*made));
+    const TimedWork work{[&gpu, bound](PassReport& report) {
         return run_pass(gpu, report, [&](VkCommandBuffer commands) {
-            bound->job.record(commands, 0, plan.pass_count());
+            bound->job.record(commands, 0, bound->plan.pass_count());
         });
-    });
-    if (!cost) return cost.error();
-    cost->dispatches = plan.pass_count();
-    for (std::uint32_t i = 0; i < plan.pass_count(); ++i)
-        cost->bytes += plan.pass(i).bytes_read + plan.pass(i).bytes_written;
+    }};
+    PassReport first;
+    if (const auto done = work.run(first); !done) return done.error();
+    Cost cost{.dispatches = bound->plan.pass_count()};
+    for (std::uint32_t i = 0; i < bound->plan.pass_count(); ++i)
+        cost.bytes += bound->plan.pass(i).bytes_read + bound->plan.pass(i).bytes_written;
 
     const auto reader = MapReader::create(gpu.device());
     if (!reader) return core_failure(reader.error());
     const auto values = read_map(gpu, *reader, bound->maps, 0, vectors(directions));
     if (!values) return values.error();
-    return Measured{colours_of(values->texels), *cost};
+    return Untimed{{colours_of(values->texels), cost}, work};
 }
 
 /// The edge of the map that the chain makes of this.
@@ -62,9 +63,9 @@ Outcome<std::uint32_t> map_face(const PrefilterSettings& settings, std::uint32_t
     return plan->maps().front().size;
 }
 
-Outcome<Measured> measure_exact(Gpu& gpu, const GpuEnvironment& environment,
-                                const PrefilterSettings& settings, std::uint32_t face,
-                                Directions directions) {
+Outcome<Untimed> exactly(Gpu& gpu, const GpuEnvironment& environment,
+                         const PrefilterSettings& settings, std::uint32_t face,
+                         Directions directions) {
     const auto exact = Exact::create(gpu.device());
     if (!exact) return core_failure(exact.error());
     const ExactSource source = exact_source(environment);
@@ -77,60 +78,81 @@ Outcome<Measured> measure_exact(Gpu& gpu, const GpuEnvironment& environment,
     Cost cost = once(averages->report, double(texels) / double(queries.size()));
     cost.bytes = source.bytes + TEXEL_BYTES * texels;
     cost.dispatches = 1;
-    return Measured{colours_of(averages->texels), cost};
+    return Untimed{{colours_of(averages->texels), cost}, std::nullopt};
 }
 
-Outcome<Measured> measure_importance(Gpu& gpu, const GpuEnvironment& environment,
-                                     const PrefilterSettings& settings, std::uint32_t face,
-                                     Directions directions) {
+/// Averages by sampling, about whatever axes.
+struct Sampler {
+    Importance importance;
+    EnvironmentMips mips;
+    ImportanceSettings settings;
+
+    Outcome<Averages> about(Gpu& gpu, std::span<const Vector> axes) const {
+        return average_by_samples(gpu, importance, mips.image, settings, axes, {});
+    }
+};
+
+Outcome<Untimed> by_samples(Gpu& gpu, const GpuEnvironment& environment,
+                            const PrefilterSettings& settings, std::uint32_t face,
+                            Directions directions) {
     const bool filtered = settings.method == PrefilterMethod::filtered_importance;
-    const auto importance = Importance::create(gpu.device());
+    auto importance = Importance::create(gpu.device());
     if (!importance) return core_failure(importance.error());
     const std::uint32_t last_face = filtered ? 1 : environment.cube.description().width;
-    const auto mips = make_mips(gpu, environment, last_face, MipWeights::solid_angle);
+    auto mips = make_mips(gpu, environment, last_face, MipWeights::solid_angle);
     if (!mips) return mips.error();
-    const auto averages_about = [&](std::span<const Vector> axes) {
-        return average_by_samples(gpu, *importance, mips->image,
-                                  {.exponent = settings.exponents.front(),
-                                   .samples = settings.samples,
-                                   .filtered = filtered},
-                                  axes, {});
-    };
+    const auto sampler = std::make_shared<Sampler>(Sampler{std::move(*importance),
+                                                           std::move(*mips),
+                                                           {.exponent = settings.exponents.front(),
+                                                            .samples = settings.samples,
+                                                            .filtered = filtered}});
+    const auto averages = sampler->about(gpu, vectors(directions));
+    if (!averages) return averages.error();
 
     const std::vector<Vector> texels = texel_directions(Layout::cube, face, face);
-    auto cost =
-        warm_cost(gpu, texels.size(), [&](std::size_t count, PassReport& report) -> Outcome<Done> {
+    const auto work = part_of(
+        gpu, texels.size(),
+        [&gpu, sampler, texels](std::size_t count, PassReport& report) -> Outcome<Done> {
             std::vector<Vector> axes; // evenly spread: neighbours share what is in the caches
             for (std::size_t i = 0; i < count; ++i)
                 axes.push_back(texels[i * texels.size() / count]);
-            const auto averages = averages_about(axes);
-            if (!averages) return averages.error();
-            add_times(report, averages->report);
+            const auto made = sampler->about(gpu, axes);
+            if (!made) return made.error();
+            add_times(report, made->report);
             return Done{};
         });
-    if (!cost) return cost.error();
-    cost->fetches = settings.samples * texels.size();
-    cost->bytes = image_bytes(mips->image) + TEXEL_BYTES * texels.size();
-    cost->dispatches = 1;
-    const auto averages = averages_about(vectors(directions));
-    if (!averages) return averages.error();
-    return Measured{colours_of(averages->texels), *cost};
+    if (!work) return work.error();
+    return Untimed{{colours_of(averages->texels),
+                    {.fetches = settings.samples * texels.size(),
+                     .bytes = image_bytes(sampler->mips.image) + TEXEL_BYTES * texels.size(),
+                     .dispatches = 1}},
+                   *work};
+}
+
+Outcome<Untimed> prefilter(Gpu& gpu, const PrefilterCase& one, Directions directions) {
+    const auto& [environment, settings] = one;
+    if (const auto valid = check_prefilter(settings); !valid) return valid.error();
+    if (settings.method == PrefilterMethod::chain)
+        return by_chain(gpu, *environment, settings, directions);
+    const auto face = map_face(settings, environment->source().description().width);
+    if (!face) return face.error();
+    return settings.method == PrefilterMethod::exact
+               ? exactly(gpu, *environment, settings, *face, directions)
+               : by_samples(gpu, *environment, settings, *face, directions);
 }
 
 } // namespace
 
-Outcome<Measured> measure_prefilter(Gpu& gpu, const GpuEnvironment& environment,
-                                    const PrefilterSettings& settings,
-                                    std::span<const std::array<float, 3>> directions) {
-    if (const auto valid = check_prefilter(settings); !valid) return valid.error();
+Outcome<std::vector<Measured>> measure_prefilter(Gpu& gpu, std::span<const PrefilterCase> cases,
+                                                 std::span<const std::array<float, 3>> directions) {
     if (directions.empty()) return Failure{"no direction is given, give at least one"};
-    if (settings.method == PrefilterMethod::chain)
-        return measure_chain(gpu, environment, settings, directions);
-    const auto face = map_face(settings, prefilter_face(environment.cube.description().width));
-    if (!face) return face.error();
-    return settings.method == PrefilterMethod::exact
-               ? measure_exact(gpu, environment, settings, *face, directions)
-               : measure_importance(gpu, environment, settings, *face, directions);
+    std::vector<Untimed> methods;
+    for (const PrefilterCase& one : cases) {
+        auto method = prefilter(gpu, one, directions);
+        if (!method) return method.error();
+        methods.push_back(std::move(*method));
+    }
+    return add_warm_costs(gpu, std::move(methods));
 }
 
 } // namespace lobelia::host

@@ -44,36 +44,57 @@ Cost cost_of_inputs(const SphereInputs& inputs, const SphereView& view, std::uin
     return cost;
 }
 
-} // namespace
+/// A picture with what it is drawn from.
+struct Scene {
+    SphereInputs inputs;
+    std::optional<Drawing> drawing{};
+};
 
-Outcome<Measured> measure_shading(Gpu& gpu, const GpuEnvironment& environment,
-                                  const RenderSettings& settings, std::uint32_t timed_size) {
+Outcome<Untimed> shade(Gpu& gpu, const GpuEnvironment& environment, const RenderSettings& settings,
+                       std::uint32_t timed_size) {
     SphereView view = settings.view;
     view.background = false;
     if (const auto refused = check_view(view, gpu.limits())) return *refused;
     if (const auto refused = check_material(view.material, true)) return *refused;
-    const auto inputs = make_sphere_inputs(gpu, environment, settings, {});
+    auto inputs = make_sphere_inputs(gpu, environment, settings, {});
     if (!inputs) return inputs.error();
-    const auto small = Drawing::create(gpu, *inputs, view);
+    const auto scene = std::make_shared<Scene>(Scene{std::move(*inputs)});
+    const auto small = Drawing::create(gpu, scene->inputs, view);
     if (!small) return small.error();
     auto colours = covered_colours(gpu, *small);
     if (!colours) return colours.error();
-    if (settings.method == SphereMethod::reference)
-        return Measured{std::move(*colours), cost_of_inputs(*inputs, view, timed_size)};
+    Untimed method{{.colours = std::move(*colours)}};
+    if (settings.method == SphereMethod::reference) {
+        method.found.cost = cost_of_inputs(scene->inputs, view, timed_size);
+        return method;
+    }
 
     PassReport warm;
     if (const auto done = small->run(gpu, warm); !done) return done.error();
     const double pixel_ms = warm.cpu_ms.value_or(0.0) / (double(view.width) * view.height);
     view.width = view.height = affordable_size(pixel_ms, timed_size);
-    const auto large = Drawing::create(gpu, *inputs, view);
+    auto large = Drawing::create(gpu, scene->inputs, view);
     if (!large) return large.error();
-    auto cost = warm_cost(gpu, [&](PassReport& report) { return large->run(gpu, report); });
-    if (!cost) return cost.error();
+    scene->drawing = std::move(*large);
     const double scale = double(timed_size) / view.width;
-    scale_times(*cost, scale * scale);
-    cost->bytes = inputs->bytes + TEXEL_BYTES * timed_size * timed_size;
-    cost->dispatches = 1;
-    return Measured{std::move(*colours), *cost};
+    method.work = {[&gpu, scene](PassReport& report) { return scene->drawing->run(gpu, report); },
+                   scale * scale};
+    method.found.cost.bytes = scene->inputs.bytes + TEXEL_BYTES * timed_size * timed_size;
+    method.found.cost.dispatches = 1;
+    return method;
+}
+
+} // namespace
+
+Outcome<std::vector<Measured>> measure_shading(Gpu& gpu, std::span<const ShadingCase> cases,
+                                               std::uint32_t timed_size) {
+    std::vector<Untimed> methods;
+    for (const ShadingCase& one : cases) {
+        auto method = shade(gpu, *one.environment, one.settings, timed_size);
+        if (!method) return method.error();
+        methods.push_back(std::move(*method));
+    }
+    return add_warm_costs(gpu, std::move(methods));
 }
 
 } // namespace lobelia::host

@@ -41,13 +41,15 @@ Outcome<Cost> measure_mip_chain(Gpu& gpu, std::uint32_t face) {
                              VK_IMAGE_LAYOUT_GENERAL);
     });
     if (!made) return made.error();
-    auto cost = warm_cost(gpu, [&](PassReport& report) {
+    const TimedWork work{[&](PassReport& report) {
         return run_pass(gpu, report,
                         [&](VkCommandBuffer commands) { record_mip_chain(gpu, commands, *cube); });
-    });
-    if (!cost) return cost.error();
-    cost->dispatches = cube->description().levels - 1;
-    cost->bytes = 2 * image_bytes(*cube); // the last level is not read and the first not written
+    }};
+    const auto costs = warm_costs(gpu, {&work, 1});
+    if (!costs) return costs.error();
+    Cost cost = costs->front();
+    cost.dispatches = cube->description().levels - 1;
+    cost.bytes = 2 * image_bytes(*cube); // the last level is not read and the first not written
     return cost;
 }
 

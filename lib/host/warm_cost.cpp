@@ -7,9 +7,9 @@ namespace lobelia::host {
 
 namespace {
 
-constexpr int RUNS = 7;
-constexpr int MOST_REPEATS = 64; // of the work in a run
-// A run is at least so long: what a CPU device's own threads have used arrives late in the
+constexpr int TURNS = 15;
+constexpr int MOST_REPEATS = 64; // of the work in a turn
+// A turn is at least so long: what a CPU device's own threads have used arrives late in the
 // process's time, and timers tick.
 constexpr double LEAST_MILLISECONDS = 10.0;
 constexpr std::size_t FIRST_PARTS = 16;
@@ -25,49 +25,66 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-} // namespace
-
-Outcome<Cost> warm_cost(const Gpu& gpu, const TimedWork& work) {
-    PassReport first, warm;
-    if (const auto done = work(first); !done) return done.error();
-    if (const auto done = work(warm); !done) return done.error();
-    const double expected = std::max(judged(gpu, warm), LEAST_MILLISECONDS / MOST_REPEATS);
-    const int repeats = std::max(int(std::ceil(LEAST_MILLISECONDS / expected)), 1);
-
-    std::vector<double> cpu, device, clock;
-    for (int run = 0; run < RUNS; ++run) {
-        PassReport ran;
-        for (int i = 0; i < repeats; ++i)
-            if (const auto done = work(ran); !done) return done.error();
-        cpu.push_back(ran.cpu_ms.value_or(0.0) / repeats);
-        if (ran.gpu_ms) device.push_back(*ran.gpu_ms / repeats);
-        clock.push_back(judged(gpu, ran) / repeats);
-    }
-    const auto [shortest, longest] = std::minmax_element(clock.begin(), clock.end());
-    const double middle = median(clock);
-    Cost cost{.cpu_ms = median(cpu),
-              .spread = middle > 0.0 ? (*longest - *shortest) / middle : 0.0};
-    if (!device.empty()) cost.gpu_ms = median(device);
-    return cost;
-}
-
-Cost once(const PassReport& ran, double scale) {
-    Cost cost{.cpu_ms = ran.cpu_ms.value_or(0.0), .gpu_ms = ran.gpu_ms};
-    scale_times(cost, scale);
-    return cost;
-}
-
 void scale_times(Cost& cost, double scale) {
     cost.cpu_ms *= scale;
     if (cost.gpu_ms) *cost.gpu_ms *= scale;
 }
 
-void add_times(PassReport& report, const PassReport& ran) {
-    report.cpu_ms = report.cpu_ms.value_or(0.0) + ran.cpu_ms.value_or(0.0);
-    if (ran.gpu_ms) report.gpu_ms = report.gpu_ms.value_or(0.0) + *ran.gpu_ms;
+/// The times of one work, by run.
+class Runs {
+public:
+    explicit Runs(const TimedWork& work) : work_(work) {}
+
+    Outcome<Done> warm_up(const Gpu& gpu) {
+        PassReport first, warm;
+        if (const auto done = work_.run(first); !done) return done.error();
+        if (const auto done = work_.run(warm); !done) return done.error();
+        const double expected = std::max(judged(gpu, warm), LEAST_MILLISECONDS / MOST_REPEATS);
+        repeats_ = std::max(int(std::ceil(LEAST_MILLISECONDS / expected)), 1);
+        return Done{};
+    }
+
+    Outcome<Done> add(const Gpu& gpu) {
+        PassReport ran;
+        for (int i = 0; i < repeats_; ++i)
+            if (const auto done = work_.run(ran); !done) return done.error();
+        cpu_.push_back(ran.cpu_ms.value_or(0.0) / repeats_);
+        if (ran.gpu_ms) device_.push_back(*ran.gpu_ms / repeats_);
+        clock_.push_back(judged(gpu, ran) / repeats_);
+        return Done{};
+    }
+
+    Cost cost() const {
+        const auto [shortest, longest] = std::minmax_element(clock_.begin(), clock_.end());
+        const double middle = median(clock_);
+        Cost cost{.cpu_ms = median(cpu_),
+                  .spread = middle > 0.0 ? (*longest - *shortest) / middle : 0.0};
+        if (!device_.empty()) cost.gpu_ms = median(device_);
+        scale_times(cost, work_.scale);
+        return cost;
+    }
+
+private:
+    const TimedWork& work_;
+    int repeats_ = 1;
+    std::vector<double> cpu_, device_, clock_;
+};
+
+} // namespace
+
+Outcome<std::vector<Cost>> warm_costs(const Gpu& gpu, std::span<const TimedWork> works) {
+    std::vector<Runs> all(works.begin(), works.end());
+    for (Runs& runs : all)
+        if (const auto done = runs.warm_up(gpu); !done) return done.error();
+    for (int turn = 0; turn < TURNS; ++turn)
+        for (Runs& runs : all)
+            if (const auto done = runs.add(gpu); !done) return done.error();
+    std::vector<Cost> costs;
+    for (const Runs& runs : all) costs.push_back(runs.cost());
+    return costs;
 }
 
-Outcome<Cost> warm_cost(const Gpu& gpu, std::size_t parts, const PartialWork& work) {
+Outcome<TimedWork> part_of(const Gpu& gpu, std::size_t parts, const PartialWork& work) {
     std::size_t count = std::min(FIRST_PARTS, parts);
     PassReport first;
     if (const auto done = work(count, first); !done) return done.error();
@@ -77,10 +94,40 @@ Outcome<Cost> warm_cost(const Gpu& gpu, std::size_t parts, const PartialWork& wo
         if (judged(gpu, ran) >= LEAST_MILLISECONDS) break;
         count = std::min(2 * count, parts);
     }
-    auto cost = warm_cost(gpu, [&](PassReport& report) { return work(count, report); });
-    if (!cost) return cost.error();
-    scale_times(*cost, double(parts) / double(count));
+    return TimedWork{[work, count](PassReport& report) { return work(count, report); },
+                     double(parts) / double(count)};
+}
+
+Outcome<std::vector<Measured>> add_warm_costs(const Gpu& gpu, std::vector<Untimed> methods) {
+    std::vector<TimedWork> works;
+    for (const Untimed& method : methods)
+        if (method.work) works.push_back(*method.work);
+    const auto costs = warm_costs(gpu, works);
+    if (!costs) return costs.error();
+    std::vector<Measured> measured;
+    auto timed = costs->begin();
+    for (Untimed& method : methods) {
+        Cost& cost = method.found.cost;
+        if (method.work) {
+            cost.cpu_ms = timed->cpu_ms;
+            cost.gpu_ms = timed->gpu_ms;
+            cost.spread = timed->spread;
+            ++timed;
+        }
+        measured.push_back(std::move(method.found));
+    }
+    return measured;
+}
+
+Cost once(const PassReport& ran, double scale) {
+    Cost cost{.cpu_ms = ran.cpu_ms.value_or(0.0), .gpu_ms = ran.gpu_ms};
+    scale_times(cost, scale);
     return cost;
+}
+
+void add_times(PassReport& report, const PassReport& ran) {
+    report.cpu_ms = report.cpu_ms.value_or(0.0) + ran.cpu_ms.value_or(0.0);
+    if (ran.gpu_ms) report.gpu_ms = report.gpu_ms.value_or(0.0) + *ran.gpu_ms;
 }
 
 } // namespace lobelia::host

@@ -1,28 +1,39 @@
 #pragma once
 
+#include <span>
+
 #include <lobelia/host/measure.h>
 
 namespace lobelia::host {
 
-/// Runs something once and adds its times to the report.
-using TimedWork = std::function<Outcome<Done>(PassReport&)>;
+/// Work to be timed, which can be run any number of times.
+struct TimedWork {
+    std::function<Outcome<Done>(PassReport&)> run; // once; adds its times to the report
+    double scale = 1.0;                            // what it costs is the times of a run by this
+};
 
-/// Runs `work` until it is warm and then several times. Of the cost only the times are set.
-Outcome<Cost> warm_cost(const Gpu& gpu, const TimedWork& work);
-
-/// The cost by a single run, scaled up. Of the cost only the times are set.
-Cost once(const PassReport& ran, double scale);
-
-void scale_times(Cost& cost, double scale);
-
-/// Adds the times of `ran` to those of `report`.
-void add_times(PassReport& report, const PassReport& ran);
+/// What `works` cost: each is run until it is warm, and then all in turns, several times, so that
+/// what disturbs the machine meanwhile disturbs all alike. Of a cost only the times are set.
+Outcome<std::vector<Cost>> warm_costs(const Gpu& gpu, std::span<const TimedWork> works);
 
 /// Runs `count` of equal parts.
 using PartialWork = std::function<Outcome<Done>(std::size_t count, PassReport&)>;
 
-/// The same for work that consists of `parts` equal parts: runs as many as take long enough to be
-/// timed, and scales up.
-Outcome<Cost> warm_cost(const Gpu& gpu, std::size_t parts, const PartialWork& work);
+/// Of work that consists of `parts` equal parts, as many as take long enough to be timed.
+Outcome<TimedWork> part_of(const Gpu& gpu, std::size_t parts, const PartialWork& work);
+
+/// What a method found, and all that it costs but for the times, which its work will tell; without
+/// work they are known already.
+struct Untimed {
+    Measured found;
+    std::optional<TimedWork> work;
+};
+Outcome<std::vector<Measured>> add_warm_costs(const Gpu& gpu, std::vector<Untimed> methods);
+
+/// The cost by a single run, scaled up. Of the cost only the times are set.
+Cost once(const PassReport& ran, double scale);
+
+/// Adds the times of `ran` to those of `report`.
+void add_times(PassReport& report, const PassReport& ran);
 
 } // namespace lobelia::host

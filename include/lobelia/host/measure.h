@@ -29,21 +29,30 @@ struct Measured {
     Cost cost;
 };
 
-/// Measures `settings.method` at `settings.exponents[0]`, its only one: P_n at `directions` (unit
-/// vectors, at least one), for the chain as MapReader reads its map, and what it costs to make the
-/// whole map. That has, whatever the method, the size that the chain's plan gives it;
-/// `settings.width` and `height` are not read. Of maps by sampling or exact a part is timed
-/// and scaled up.
-Outcome<Measured> measure_prefilter(Gpu& gpu, const GpuEnvironment& environment,
-                                    const PrefilterSettings& settings,
-                                    std::span<const std::array<float, 3>> directions);
+/// A method and what it is measured on, which outlives the call.
+struct PrefilterCase {
+    const GpuEnvironment* environment = nullptr;
+    PrefilterSettings settings{};
+};
+struct ShadingCase {
+    const GpuEnvironment* environment = nullptr;
+    RenderSettings settings{};
+};
 
-/// Measures `settings.method`: the colours of the pixels that the sphere covers wholly in
-/// `settings.view`, and what it costs to draw a picture of `timed_size` pixels a side from maps
+/// Measures `settings.method` at `settings.exponents[0]`, its only one, of each case: P_n at
+/// `directions` (unit vectors, at least one), for the chain as MapReader reads its map, and what it
+/// costs to make the whole map. That has, whatever the method, the size that the chain's plan gives
+/// it; `settings.width` and `height` are not read. Of maps by sampling or exact a part is timed
+/// and scaled up. The cases are timed in turns, so that their times can be compared.
+Outcome<std::vector<Measured>> measure_prefilter(Gpu& gpu, std::span<const PrefilterCase> cases,
+                                                 std::span<const std::array<float, 3>> directions);
+
+/// Measures `settings.method` of each case: the colours of the pixels that the sphere covers wholly
+/// in `settings.view`, and what it costs to draw a picture of `timed_size` pixels a side from maps
 /// that are there already. What takes long is timed in a smaller picture, the reference in
-/// `settings.view`, and scaled up.
-Outcome<Measured> measure_shading(Gpu& gpu, const GpuEnvironment& environment,
-                                  const RenderSettings& settings, std::uint32_t timed_size);
+/// `settings.view`, and scaled up. The cases are timed in turns.
+Outcome<std::vector<Measured>> measure_shading(Gpu& gpu, std::span<const ShadingCase> cases,
+                                               std::uint32_t timed_size);
 
 /// Measures the yardstick: a vkCmdBlitImage mip chain of a cube map with faces of `face` texels,
 /// R32G32B32A32_SFLOAT.
