@@ -8,13 +8,25 @@ namespace lobelia::host {
 namespace {
 
 constexpr std::uint64_t TEXEL_BYTES = 4 * sizeof(float);
-constexpr double AFFORDABLE_MILLISECONDS = 50.0; // of one picture
 constexpr std::uint32_t LEAST_SIZE = 64;
 
-/// Methods of many samples take seconds for a large picture: they are timed in a smaller one.
-std::uint32_t affordable_size(double pixel_ms, std::uint32_t size) {
-    while (size > LEAST_SIZE && pixel_ms * size * size > AFFORDABLE_MILLISECONDS) size /= 2;
-    return size;
+/// Methods of many samples take seconds for a large picture: they are timed in one that is a half
+/// as wide, a quarter, ... This is the first, from small to large, of which the next would take too
+/// long. By each other's times: those of the smallest say little of large ones.
+Outcome<Drawing> affordable_drawing(Gpu& gpu, const SphereInputs& inputs, SphereView view,
+                                    std::uint32_t timed_size) {
+    int halvings = 0;
+    while (timed_size >> halvings > LEAST_SIZE) ++halvings;
+    for (;; --halvings) {
+        view.width = view.height = timed_size >> halvings;
+        auto drawing = Drawing::create(gpu, inputs, view);
+        if (!drawing) return drawing.error();
+        PassReport first, warm;
+        if (const auto done = drawing->run(gpu, first); !done) return done.error();
+        if (const auto done = drawing->run(gpu, warm); !done) return done.error();
+        if (halvings == 0 || 4.0 * warm.cpu_ms.value_or(0.0) > AFFORDABLE_MILLISECONDS)
+            return drawing;
+    }
 }
 
 Outcome<std::vector<float>> covered_colours(Gpu& gpu, const Drawing& drawing) {
@@ -69,14 +81,10 @@ Outcome<Untimed> shade(Gpu& gpu, const GpuEnvironment& environment, const Render
         return method;
     }
 
-    PassReport warm;
-    if (const auto done = small->run(gpu, warm); !done) return done.error();
-    const double pixel_ms = warm.cpu_ms.value_or(0.0) / (double(view.width) * view.height);
-    view.width = view.height = affordable_size(pixel_ms, timed_size);
-    auto large = Drawing::create(gpu, scene->inputs, view);
-    if (!large) return large.error();
-    scene->drawing = std::move(*large);
-    const double scale = double(timed_size) / view.width;
+    auto drawing = affordable_drawing(gpu, scene->inputs, view, timed_size);
+    if (!drawing) return drawing.error();
+    const double scale = double(timed_size) / drawing->view.width;
+    scene->drawing = std::move(*drawing);
     method.work = {[&gpu, scene](PassReport& report) { return scene->drawing->run(gpu, report); },
                    scale * scale};
     method.found.cost.bytes = scene->inputs.bytes + TEXEL_BYTES * timed_size * timed_size;

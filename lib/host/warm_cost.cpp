@@ -7,7 +7,7 @@ namespace lobelia::host {
 
 namespace {
 
-constexpr int TURNS = 15;
+constexpr int TURNS = 11;
 constexpr int MOST_REPEATS = 64; // of the work in a turn
 // A turn is at least so long: what a CPU device's own threads have used arrives late in the
 // process's time, and timers tick.
@@ -91,7 +91,7 @@ Outcome<TimedWork> part_of(const Gpu& gpu, std::size_t parts, const PartialWork&
     while (count < parts) {
         PassReport ran;
         if (const auto done = work(count, ran); !done) return done.error();
-        if (judged(gpu, ran) >= LEAST_MILLISECONDS) break;
+        if (2.0 * judged(gpu, ran) > AFFORDABLE_MILLISECONDS) break;
         count = std::min(2 * count, parts);
     }
     return TimedWork{[work, count](PassReport& report) { return work(count, report); },

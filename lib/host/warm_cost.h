@@ -6,6 +6,10 @@
 
 namespace lobelia::host {
 
+/// What a run may take, where there is a choice. Twice or four times as much would be too long, so
+/// that what is chosen takes long enough to hide its overhead, and all of it where that is cheap.
+constexpr double AFFORDABLE_MILLISECONDS = 50.0;
+
 /// Work to be timed, which can be run any number of times.
 struct TimedWork {
     std::function<Outcome<Done>(PassReport&)> run; // once; adds its times to the report
@@ -19,7 +23,7 @@ Outcome<std::vector<Cost>> warm_costs(const Gpu& gpu, std::span<const TimedWork>
 /// Runs `count` of equal parts.
 using PartialWork = std::function<Outcome<Done>(std::size_t count, PassReport&)>;
 
-/// Of work that consists of `parts` equal parts, as many as take long enough to be timed.
+/// Of work that consists of `parts` equal parts, as many as are affordable.
 Outcome<TimedWork> part_of(const Gpu& gpu, std::size_t parts, const PartialWork& work);
 
 /// What a method found, and all that it costs but for the times, which its work will tell; without
