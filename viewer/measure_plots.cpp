@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 namespace lobelia::cli {
 
@@ -98,6 +99,15 @@ std::string short_label(const MeasureWay& way) {
     return way.samples ? std::to_string(*way.samples) : way.method;
 }
 
+/// Whether the points of a method lie so close that their labels would cover one another and those
+/// of methods beside it.
+bool is_crowded(const std::vector<MeasureMean>& means) {
+    const auto [fastest, slowest] =
+        std::minmax_element(means.begin(), means.end(),
+                            [](const auto& one, const auto& other) { return one.ms < other.ms; });
+    return means.size() > 1 && slowest->ms < 1.5 * fastest->ms;
+}
+
 std::string errors_by_time(const MeasureSummary& summary, const std::vector<MeasureMean>& means,
                            const std::string& title, const std::string& work) {
     Blocks blocks;
@@ -126,17 +136,24 @@ std::string errors_by_time(const MeasureSummary& summary, const std::vector<Meas
         const auto is_of_method = [&](const MeasureMean& mean) {
             return mean.rms && mean.way.method == method;
         };
-        const bool alone = std::count_if(means.begin(), means.end(), is_of_method) == 1;
+        std::vector<MeasureMean> of_method;
+        std::copy_if(means.begin(), means.end(), std::back_inserter(of_method), is_of_method);
+        const bool alone = of_method.size() == 1, crowded = is_crowded(of_method);
         std::string points;
-        for (const MeasureMean& mean : means)
-            if (is_of_method(mean))
-                points += number(mean.ms) + " " + number(*mean.rms) + " " +
-                          quoted(alone ? method : short_label(mean.way)) + "\n";
+        for (const MeasureMean& mean : of_method)
+            points += number(mean.ms) + " " + number(*mean.rms) + " " +
+                      quoted(crowded ? ""
+                             : alone ? method
+                                     : short_label(mean.way)) +
+                      "\n";
         const std::string block = blocks.add(points), colour = palette(method);
         curves.push_back(block +
                          " using 1:2 with linespoints linewidth 2 pointtype 7 linecolor "
                          "rgb " +
-                         colour + " title " + quoted(method));
+                         colour + " title " +
+                         quoted(crowded ? method + ", " + short_label(of_method.front().way) +
+                                              " to " + short_label(of_method.back().way)
+                                        : method));
         curves.push_back(block + " using 1:2:3 with labels left offset 0.8,0.3 textcolor rgb " +
                          colour + " notitle");
     }
