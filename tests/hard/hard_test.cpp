@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <regex>
 
@@ -8,8 +9,7 @@
 #include "bench.h"
 #include "page.h"
 
-// Runs the catalogue. With --page=FILE a run writes docs/hard-cases.md; with --counts it prints the
-// counts.
+// Runs the catalogue. With --page=FILE a run writes docs/hard-cases.md.
 namespace lobelia::hard {
 
 void PrintTo(const Row& row, std::ostream* out) {
@@ -28,6 +28,12 @@ std::vector<Row> rows_to_run() {
     return rows;
 }
 
+std::string digits(double value) {
+    std::ostringstream text;
+    text << std::setprecision(12) << value;
+    return text.str();
+}
+
 class HardCase : public testing::TestWithParam<Row> {};
 INSTANTIATE_TEST_SUITE_P(Rows, HardCase, testing::ValuesIn(rows_to_run()),
                          [](const auto& row) { return std::string(row.param.id); });
@@ -36,6 +42,11 @@ TEST_P(HardCase, KeepsItsPromise) {
     Findings& findings = run.insert_or_assign(GetParam().id, Findings(GetParam().id)).first->second;
     GetParam().check(bench(), findings);
     EXPECT_GT(findings.points(), 0);
+    RecordProperty("points", findings.points());
+    RecordProperty("worst_exact", digits(findings.worst_exact));
+    RecordProperty("worst_sharp", digits(findings.worst_sharp));
+    RecordProperty("values", digits(double(findings.texels)));
+    RecordProperty("unsound", digits(double(findings.non_finite)));
     if (bench().has_gpu())
         for (const std::string& message : bench().gpu().take_messages()) ADD_FAILURE() << message;
 }
@@ -63,11 +74,16 @@ TEST(HardCasesPage, HasEveryRowAndNoOther) {
 }
 
 TEST(HardCasesPage, AccountsForEveryRowInOneWay) {
+    int rows = 0, absent = 0;
     for (const Kind& kind : catalogue())
         for (const Row& row : kind.rows) {
+            ++rows;
+            absent += row.absent != nullptr;
             EXPECT_TRUE(row.check || row.held_by || row.absent) << row.id;
             EXPECT_FALSE(row.absent && (row.check || row.held_by)) << row.id;
         }
+    RecordProperty("rows", rows);
+    RecordProperty("absent_rows", absent);
 }
 
 // "TEST_F(Suite, Name)" of all tests, as "Suite.Name".
@@ -99,15 +115,12 @@ TEST(HardCasesPage, NamesTestsThatExist) {
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     std::string page;
-    bool counts = false;
     for (int i = 1; i < argc; ++i) {
         const std::string argument = argv[i];
         if (argument.starts_with("--page="))
             page = argument.substr(7);
-        else if (argument == "--counts")
-            counts = true;
         else {
-            std::cerr << "hard_tests: what is " << argument << "? give --page=FILE or --counts\n";
+            std::cerr << "hard_tests: what is " << argument << "? give --page=FILE\n";
             return 2;
         }
     }
@@ -117,6 +130,5 @@ int main(int argc, char** argv) {
             lobelia::hard::page(lobelia::hard::run, lobelia::hard::text_of(page));
         std::ofstream(page) << text;
     }
-    if (counts) std::cout << lobelia::hard::counts(lobelia::hard::run);
     return failed;
 }

@@ -73,30 +73,4 @@ std::string page(const Run& run, const std::string& before) {
     return text;
 }
 
-std::string counts(const Run& run) {
-    int rows = 0, elsewhere = 0, absent = 0, points = 0;
-    double exact = 0, sharp = 0;
-    std::uint64_t values = 0, non_finite = 0;
-    for (const Kind& kind : catalogue())
-        for (const Row& row : kind.rows) {
-            ++rows;
-            absent += row.absent != nullptr;
-            elsewhere += !row.check && row.held_by;
-        }
-    for (const auto& [id, findings] : run) {
-        points += findings.points();
-        exact = std::max(exact, findings.worst_exact);
-        sharp = std::max(sharp, findings.worst_sharp);
-        values += findings.texels;
-        non_finite += findings.non_finite;
-    }
-    std::ostringstream out;
-    out << "rows: " << rows << "\nrows held by other tests: " << elsewhere
-        << "\nrows that do not apply: " << absent << "\npoints: " << points
-        << "\nworst relative error, n <= 1e4: " << number(exact)
-        << "\nworst relative error, n <= 1e6: " << number(sharp) << "\nvalues looked at: " << values
-        << "\nnon-finite or negative values: " << non_finite << "\n";
-    return out.str();
-}
-
 } // namespace lobelia::hard

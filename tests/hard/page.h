@@ -17,7 +17,4 @@ std::string promise_line(const Row& row);
 /// says of them.
 std::string page(const Run& run, const std::string& before);
 
-/// The counts of a run, one a line: a name, a colon, a number.
-std::string counts(const Run& run);
-
 } // namespace lobelia::hard

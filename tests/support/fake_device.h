@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -13,16 +14,17 @@ namespace lobelia::test {
 /// A device whose functions do nothing but count: what the library itself does shows, without a
 /// driver.
 struct FakeDevice {
-    static inline std::uint64_t made = 0; // objects so far
-    static inline std::uint64_t destroyed = 0;
-    static inline std::uint64_t commands = 0; // recorded
+    using Count = std::atomic<std::uint64_t>; // several threads may use the device
+    static inline Count made = 0;             // objects so far
+    static inline Count destroyed = 0;
+    static inline Count commands = 0; // recorded
 
     /// One device for a whole program, since its functions are no object's.
     static Device lend() { return {handle<VkDevice>(), &find}; }
 
     template <class Handle>
     static Handle handle() { // a new one
-        static std::uint64_t last = 0;
+        static Count last = 0;
         return (Handle)++last; // a pointer or a number
     }
 
