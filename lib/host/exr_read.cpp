@@ -28,10 +28,8 @@ Outcome<Done> check_decoder_cost(const ExrPart& part, std::uint64_t budget) {
 }
 
 Image black_image(const ExrWindow& map) {
-    Image image{Layout::latlong, std::uint32_t(map.width()), std::uint32_t(map.height()), 1, {}};
-    image.texels.assign(std::size_t(map.width() * map.height()) * 4, 0.0f);
-    for (std::size_t i = 3; i < image.texels.size(); i += 4) image.texels[i] = 1.0f;
-    return image;
+    return {Layout::latlong, std::uint32_t(map.width()), std::uint32_t(map.height()), 1,
+            std::vector<float>(std::size_t(map.width() * map.height()) * 4)};
 }
 
 // Copies what of a chunk lies inside the map.

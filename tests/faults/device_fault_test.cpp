@@ -32,6 +32,7 @@ protected:
         EXPECT_TRUE(shim.unknown.empty()) << "not shimmed: " << *shim.unknown.begin();
         EXPECT_EQ(shim.census.alive(), 0u) << shim.census.text();
         EXPECT_EQ(shim.census.unknown_deaths(), 0u);
+        EXPECT_EQ(shim.died_in_use, 0u) << "destroyed while the device may have used it";
         RecordProperty("faults", injected);
     }
 };

@@ -52,6 +52,7 @@ VkResult fail(VkResult code, VkResult (*real)(Arguments...), Arguments... argume
     if ((takes && code == VK_ERROR_DEVICE_LOST) || id == Call::vkDeviceWaitIdle ||
         code == VK_INCOMPLETE) {
         std::ignore = real(arguments...);
+        VulkanShim::get().running = id == Call::vkQueueSubmit;
         return code;
     }
     if constexpr (id == Call::vkGetQueryPoolResults)
@@ -69,8 +70,12 @@ void record_success(VulkanShim& shim, Arguments... arguments) {
     constexpr std::string_view name = name_in_type(id);
     if constexpr (name.starts_with("vkCreate") || id == Call::vkAllocateMemory)
         shim.census.born(*std::get<sizeof...(Arguments) - 1>(all));
-    if constexpr (name.starts_with("vkDestroy") || id == Call::vkFreeMemory)
+    if constexpr (name.starts_with("vkDestroy") || id == Call::vkFreeMemory) {
         shim.census.died(std::get<sizeof...(Arguments) - 2>(all));
+        shim.died_in_use += shim.running;
+    }
+    if constexpr (id == Call::vkQueueSubmit) shim.running = true;
+    if constexpr (id == Call::vkWaitForFences || id == Call::vkDeviceWaitIdle) shim.running = false;
     if constexpr (id == Call::vkCreateShaderModule)
         shim.pipelines.shader_made(*std::get<1>(all), *std::get<3>(all));
     if constexpr (id == Call::vkGetPhysicalDeviceProperties2)

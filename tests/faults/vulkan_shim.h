@@ -40,7 +40,9 @@ public:
     PipelineStore pipelines;
     BarrierAudit audit;
     Spoof spoof;
-    bool dry = false; // dispatches and draws are not made
+    bool dry = false;            // dispatches and draws are not made
+    bool running = false;        // submitted work that nobody has waited for
+    std::size_t died_in_use = 0; // objects, while there was such
     /// Functions that the library asked for and the shim does not know: it would miss their calls.
     std::set<std::string> unknown;
 };
