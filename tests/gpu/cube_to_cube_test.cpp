@@ -28,13 +28,7 @@ protected:
 
     Image resample(const Image& cube, std::uint32_t size, std::uint32_t rows = ~0u) {
         const host::GpuImage source = on_device(gpu, cube);
-        const host::GpuImage target = value_of(
-            gpu.create_image({.width = size,
-                              .height = size,
-                              .layers = 6,
-                              .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
-                                       VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                              .cube = true}));
+        const host::GpuImage target = cube_to_fill(gpu, size);
         const CubeToCubeJob job = value_of(pass.bind(cube_of(source), cube_of(target)));
         for (std::uint32_t first = 0; first < job.rows();) {
             const std::uint32_t count = std::min(rows, job.rows() - first);
@@ -47,12 +41,7 @@ protected:
 };
 
 Image noise_cube(std::uint32_t size, std::uint64_t seed) {
-    const Image flat = noise({6 * size, size}, seed);
-    Image cube{host::Layout::cube, size, size, 6, std::vector<float>(flat.texels.size())};
-    for (std::uint32_t face = 0; face < 6; ++face)
-        for (std::uint32_t y = 0; y < size; ++y)
-            std::copy_n(flat.texel(0, face * size, y), 4 * size, cube.texel(face, 0, y));
-    return cube;
+    return image_of(oracle::random_cube(oracle::Scene::noise, int(size), seed));
 }
 
 // Solid angle between the origin of a face and a point of it, the usual four of which cancel.

@@ -28,13 +28,7 @@ protected:
     /// Recorded as a whole, or in parts of so many rows, each a submission of its own.
     Image resample(const Image& panorama, std::uint32_t size, std::uint32_t rows = 0) {
         const host::GpuImage source = on_device(gpu, panorama);
-        const host::GpuImage target = value_of(
-            gpu.create_image({.width = size,
-                              .height = size,
-                              .layers = 6,
-                              .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
-                                       VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                              .cube = true}));
+        const host::GpuImage target = cube_to_fill(gpu, size);
         const PanoramaToCubeJob job = value_of(pass.bind(panorama_of(source), cube_of(target)));
         if (rows == 0)
             value_of(gpu.submit([&](VkCommandBuffer commands) { job.record(commands); }));

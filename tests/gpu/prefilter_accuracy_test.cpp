@@ -55,13 +55,7 @@ protected:
     host::GpuImage cube_from(const host::Image& panorama, std::uint32_t size) {
         const PanoramaToCube pass = value_of(PanoramaToCube::create(gpu.device()));
         const host::GpuImage source = on_device(gpu, panorama);
-        host::GpuImage target = value_of(
-            gpu.create_image({.width = size,
-                              .height = size,
-                              .layers = 6,
-                              .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
-                                       VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                              .cube = true}));
+        host::GpuImage target = cube_to_fill(gpu, size);
         const PanoramaToCubeJob job = value_of(pass.bind(panorama_of(source), cube_of(target)));
         value_of(gpu.submit([&](VkCommandBuffer commands) { job.record(commands); }));
         return target;

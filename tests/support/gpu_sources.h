@@ -67,4 +67,15 @@ inline CubeMap cube_of(const host::GpuImage& image) {
     return {image.handle(), shape.format, shape.width, shape.levels};
 }
 
+/// A cube map for a pass to fill, which can be read back.
+inline host::GpuImage cube_to_fill(host::Gpu& gpu, std::uint32_t size) {
+    return value_of(
+        gpu.create_image({.width = size,
+                          .height = size,
+                          .layers = 6,
+                          .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                   VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                          .cube = true}));
+}
+
 } // namespace lobelia::test
