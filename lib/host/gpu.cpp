@@ -32,7 +32,7 @@ struct Gpu::State {
     GpuDescription description;
     std::string why_picked;
     VkPhysicalDeviceLimits limits{};
-    VkPhysicalDeviceMemoryProperties memory{};
+    MemoryAccount memory;
     HostContext context;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
@@ -72,7 +72,7 @@ Outcome<Done> Gpu::State::open(const GpuOptions& options) {
     VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     instance->call.vkGetPhysicalDeviceProperties2(physical_device, &properties);
     limits = properties.properties.limits;
-    instance->call.vkGetPhysicalDeviceMemoryProperties(physical_device, &memory);
+    memory = open_memory_account(*instance, physical_device, options.memory_bytes);
     return make_device();
 }
 

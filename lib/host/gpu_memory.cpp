@@ -2,15 +2,60 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include <Imath/half.h>
 
-#include "host/gpu_instance.h"
-
 namespace lobelia::host {
 
+namespace {
+
+/// Memory of the device, which goes back to its account with it.
+class Taken {
+public:
+    Taken() = default;
+    Taken(DeviceMemory memory, MemoryAccount& account, VkDeviceSize bytes)
+        : memory_(std::move(memory)), account_(&account), bytes_(bytes) {
+        account.taken += bytes;
+    }
+    Taken(Taken&& other) noexcept
+        : memory_(std::move(other.memory_)), account_(other.account_),
+          bytes_(std::exchange(other.bytes_, 0)) {}
+    Taken& operator=(Taken other) noexcept {
+        std::swap(memory_, other.memory_);
+        std::swap(account_, other.account_);
+        std::swap(bytes_, other.bytes_);
+        return *this;
+    }
+    ~Taken() {
+        if (account_) account_->taken -= bytes_;
+    }
+
+    VkDeviceMemory get() const { return memory_.get(); }
+
+private:
+    DeviceMemory memory_;
+    MemoryAccount* account_ = nullptr;
+    VkDeviceSize bytes_ = 0;
+};
+
+} // namespace
+
+MemoryAccount open_memory_account(const Instance& instance, VkPhysicalDevice device,
+                                  VkDeviceSize most) {
+    MemoryAccount account{.together = most ? most : VK_WHOLE_SIZE};
+    instance.call.vkGetPhysicalDeviceMemoryProperties(device, &account.types);
+    VkPhysicalDeviceMaintenance3Properties of_one{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
+    VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
+                                           .pNext = &of_one};
+    instance.call.vkGetPhysicalDeviceProperties2(device, &properties);
+    account.at_once = of_one.maxMemoryAllocationSize;
+    return account;
+}
+
 struct GpuBuffer::Parts {
-    DeviceMemory memory; // outlives the buffer bound to it
+    Taken memory; // outlives the buffer bound to it
     HostObject<VkBuffer, &DeviceFunctions::vkDestroyBuffer> buffer;
     VkDeviceSize size = 0;
     std::byte* data = nullptr;
@@ -32,7 +77,7 @@ std::byte* GpuBuffer::data() const {
 
 struct GpuImage::Parts {
     GpuImageDescription description;
-    DeviceMemory memory;
+    Taken memory;
     HostObject<VkImage, &DeviceFunctions::vkDestroyImage> image;
     HostObject<VkImageView, &DeviceFunctions::vkDestroyImageView> view;
 };
@@ -53,30 +98,46 @@ const GpuImageDescription& GpuImage::description() const {
 
 namespace {
 
-Outcome<DeviceMemory> allocate(const HostContext& context,
-                               const VkPhysicalDeviceMemoryProperties& memory_types,
-                               const VkMemoryRequirements& requirements,
-                               VkMemoryPropertyFlags wanted) {
-    for (std::uint32_t type = 0; type < memory_types.memoryTypeCount; ++type) {
+std::string bytes_text(VkDeviceSize bytes) {
+    return std::to_string(bytes) + " bytes";
+}
+
+Outcome<Taken> allocate(const HostContext& context, MemoryAccount& account,
+                        const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted) {
+    const VkDeviceSize bytes = requirements.size;
+    if (bytes > account.together - account.taken)
+        return Failure{bytes_text(bytes) + " of device memory are needed and " +
+                       bytes_text(account.together - account.taken) + " of the " +
+                       std::to_string(account.together) +
+                       " that may be taken are left, use a smaller picture or map"};
+    const VkPhysicalDeviceMemoryProperties& types = account.types;
+    VkDeviceSize granted = 0;
+    for (std::uint32_t type = 0; type < types.memoryTypeCount; ++type) {
         const bool allowed = requirements.memoryTypeBits >> type & 1;
-        if (!allowed || (memory_types.memoryTypes[type].propertyFlags & wanted) != wanted) continue;
+        if (!allowed || (types.memoryTypes[type].propertyFlags & wanted) != wanted) continue;
+        const VkDeviceSize heap = types.memoryHeaps[types.memoryTypes[type].heapIndex].size;
+        granted = std::max(granted, std::min(heap, account.at_once));
+        if (bytes > granted) continue;
         const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                        .allocationSize = requirements.size,
+                                        .allocationSize = bytes,
                                         .memoryTypeIndex = type};
         VkDeviceMemory memory = VK_NULL_HANDLE;
         const VkResult code =
             context.call.vkAllocateMemory(context.device.handle, &info, nullptr, &memory);
-        if (code != VK_SUCCESS)
-            return failed("allocate " + std::to_string(requirements.size) + " bytes", code);
-        return DeviceMemory(context, memory);
+        if (code != VK_SUCCESS) return failed("allocate " + bytes_text(bytes), code);
+        return Taken(DeviceMemory(context, memory), account, bytes);
     }
-    return Failure{"the device has no memory of the kind needed, pick another device"};
+    if (granted == 0)
+        return Failure{"the device has no memory of the kind needed, pick another device"};
+    return Failure{bytes_text(bytes) +
+                   " of device memory are needed in one piece and the device "
+                   "has pieces of " +
+                   bytes_text(granted) + ", use a smaller picture or map"};
 }
 
 } // namespace
 
-Outcome<GpuBuffer> make_buffer(const HostContext& context,
-                               const VkPhysicalDeviceMemoryProperties& memory_types,
+Outcome<GpuBuffer> make_buffer(const HostContext& context, MemoryAccount& account,
                                VkDeviceSize bytes, VkBufferUsageFlags usage, Memory memory) {
     const VkDevice device = context.device.handle;
     auto parts = std::make_unique<GpuBuffer::Parts>();
@@ -93,7 +154,7 @@ Outcome<GpuBuffer> make_buffer(const HostContext& context,
     context.call.vkGetBufferMemoryRequirements(device, handle, &requirements);
     const bool mapped = memory == Memory::host;
     auto allocated =
-        allocate(context, memory_types, requirements,
+        allocate(context, account, requirements,
                  mapped ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT
                         : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     if (!allocated) return allocated.error();
@@ -109,8 +170,7 @@ Outcome<GpuBuffer> make_buffer(const HostContext& context,
     return GpuBuffer(std::move(parts));
 }
 
-Outcome<GpuImage> make_image(const HostContext& context,
-                             const VkPhysicalDeviceMemoryProperties& memory_types,
+Outcome<GpuImage> make_image(const HostContext& context, MemoryAccount& account,
                              const VkPhysicalDeviceLimits& limits,
                              const GpuImageDescription& description) {
     const VkDevice device = context.device.handle;
@@ -140,8 +200,7 @@ Outcome<GpuImage> make_image(const HostContext& context,
 
     VkMemoryRequirements requirements;
     context.call.vkGetImageMemoryRequirements(device, handle, &requirements);
-    auto allocated =
-        allocate(context, memory_types, requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    auto allocated = allocate(context, account, requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     if (!allocated) return allocated.error();
     code = context.call.vkBindImageMemory(device, handle, allocated->get(), 0);
     if (code != VK_SUCCESS) return failed("bind an image's memory", code);

@@ -6,15 +6,25 @@
 #include <lobelia/host/gpu.h>
 
 #include "host/gpu_functions.h"
+#include "host/gpu_instance.h"
 
 namespace lobelia::host {
 
-Outcome<GpuBuffer> make_buffer(const HostContext& context,
-                               const VkPhysicalDeviceMemoryProperties& memory_types,
+/// The memory of a Gpu's device: what of it there is, may be taken and is taken. Stays where it is
+/// while something made from it lives.
+struct MemoryAccount {
+    VkPhysicalDeviceMemoryProperties types{};
+    VkDeviceSize at_once = 0;  // the most in one allocation
+    VkDeviceSize together = 0; // the most in all
+    VkDeviceSize taken = 0;
+};
+MemoryAccount open_memory_account(const Instance& instance, VkPhysicalDevice device,
+                                  VkDeviceSize most);
+
+Outcome<GpuBuffer> make_buffer(const HostContext& context, MemoryAccount& account,
                                VkDeviceSize bytes, VkBufferUsageFlags usage, Memory memory);
 
-Outcome<GpuImage> make_image(const HostContext& context,
-                             const VkPhysicalDeviceMemoryProperties& memory_types,
+Outcome<GpuImage> make_image(const HostContext& context, MemoryAccount& account,
                              const VkPhysicalDeviceLimits& limits,
                              const GpuImageDescription& description);
 

@@ -6,7 +6,7 @@ namespace lobelia::test {
 
 namespace {
 
-constexpr VkPipelineStageFlags EVERY_STAGE = 0x7fffffffu & ~VK_PIPELINE_STAGE_HOST_BIT;
+constexpr VkPipelineStageFlags EVERY_STAGE = 0x7fffffffu ^ VK_PIPELINE_STAGE_HOST_BIT;
 constexpr VkPipelineStageFlags GRAPHICS = VK_PIPELINE_STAGE_VERTEX_SHADER_BIT |
                                           VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT |
                                           VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT;
@@ -27,7 +27,7 @@ VkPipelineStageFlags first_stages(VkPipelineStageFlags stages) {
     if (stages & VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT) stages |= GRAPHICS;
     if (stages & VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT)
         stages |= VK_PIPELINE_STAGE_VERTEX_SHADER_BIT;
-    return stages & ~VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT;
+    return stages & ~VkPipelineStageFlags(VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT);
 }
 
 // And the second one those after.
@@ -37,7 +37,7 @@ VkPipelineStageFlags second_stages(VkPipelineStageFlags stages) {
     if (stages & VK_PIPELINE_STAGE_VERTEX_SHADER_BIT) stages |= GRAPHICS;
     if (stages & VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT)
         stages |= VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT;
-    return stages & ~VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT;
+    return stages & ~VkPipelineStageFlags(VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT);
 }
 
 bool covers(VkAccessFlags scope, VkAccessFlags access) {

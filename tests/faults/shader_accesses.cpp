@@ -41,8 +41,8 @@ std::map<std::uint32_t, BindingUse> shader_accesses(std::span<const std::uint32_
         }
     }
     std::map<std::uint32_t, BindingUse> uses;
-    for (const auto& [variable, binding] : bindings) {
-        const std::uint32_t type = pointees[variables[variable]];
+    for (const auto& [bound, binding] : bindings) {
+        const std::uint32_t variable = bound, type = pointees[variables[variable]];
         const auto is = [&](Decoration decoration) {
             const auto members = member_counts.find(type); // of a buffer: all its members are
             return decorated.contains({variable, decoration}) ||

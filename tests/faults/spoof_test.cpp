@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -91,6 +92,44 @@ TEST_F(SpoofTest, WithoutItsKindOfMemoryADeviceIsRefused) {
     };
     auto gpu = open();
     EXPECT_NE(message_of(host::upload_environment(gpu, light)).find("memory"), std::string::npos);
+}
+
+TEST_F(SpoofTest, WhatIsLargerThanAHeapIsRefusedAndNotAskedFor) {
+    shim.spoof.memory = [](VkPhysicalDeviceMemoryProperties& memory) {
+        for (VkMemoryHeap& heap : memory.memoryHeaps) heap.size = 1 << 16;
+    };
+    auto gpu = open();
+    constexpr VkImageUsageFlags USAGE = VK_IMAGE_USAGE_SAMPLED_BIT;
+    const auto small = value_of(gpu.create_image({.width = 32, .height = 32, .usage = USAGE}));
+    shim.faults.begin();
+    const std::size_t alive = shim.census.alive();
+    EXPECT_NE(
+        message_of(gpu.create_image({.width = 128, .height = 128, .usage = USAGE})).find("65536"),
+        std::string::npos);
+    EXPECT_NE(
+        message_of(gpu.create_buffer(65537, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, host::Memory::host))
+            .find("65536"),
+        std::string::npos);
+    EXPECT_EQ(std::ranges::count(shim.faults.calls(), Call::vkAllocateMemory), 0);
+    EXPECT_EQ(shim.census.alive(), alive);
+}
+
+TEST_F(SpoofTest, AGpuTakesNoMoreMemoryThanItMay) {
+    auto gpu = value_of(host::Gpu::create(
+        {.get_instance_proc_addr = VulkanShim::entry(), .memory_bytes = 1 << 16}));
+    const auto take = [&](VkDeviceSize bytes) {
+        return gpu.create_buffer(bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, host::Memory::device);
+    };
+    {
+        const auto half = value_of(take(1 << 15));
+        EXPECT_NE(message_of(take((1 << 15) + 1)).find("32768 bytes of the 65536"),
+                  std::string::npos);
+        auto rest = value_of(take(1 << 15)); // what was refused has taken nothing
+        EXPECT_FALSE(take(1));
+        auto moved = std::move(rest);
+        EXPECT_FALSE(take(1));
+    }
+    EXPECT_TRUE(take(1 << 16)); // all of it has come back
 }
 
 TEST_F(SpoofTest, WithoutAQueueForBothADeviceIsRefused) {

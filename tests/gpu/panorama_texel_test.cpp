@@ -23,8 +23,8 @@ TEST_F(PanoramaTest, IntegratesThePanoramaOverEachTexel) {
         const oracle::Source source = source_of(panorama);
         const Image cube = resample(panorama, face);
         std::vector<double> errors(cube.texels.size() / 4);
+        const int n = int(face);
         oracle::parallel_for(errors.size(), [&](std::size_t i) {
-            const int n = int(face);
             const oracle::Rgb exact = average_over_cube_texel(source, int(i) / (n * n), int(i) % n,
                                                               int(i) / n % n, n, LINES);
             for (std::size_t c = 0; c < 3; ++c)

@@ -17,10 +17,14 @@ struct FakeDevice {
     using Count = std::atomic<std::uint64_t>; // several threads may use the device
     static inline Count made = 0;             // objects so far
     static inline Count destroyed = 0;
-    static inline Count commands = 0; // recorded
+    static inline Count commands = 0;  // recorded
+    static inline Count strangers = 0; // objects made or destroyed without the device's allocator
 
     /// One device for a whole program, since its functions are no object's.
-    static Device lend() { return {handle<VkDevice>(), &find}; }
+    static Device lend() {
+        return {
+            .handle = handle<VkDevice>(), .get_device_proc_addr = &find, .allocator = &ALLOCATOR};
+    }
 
     template <class Handle>
     static Handle handle() { // a new one
@@ -29,6 +33,10 @@ struct FakeDevice {
     }
 
 private:
+    static constexpr VkAllocationCallbacks ALLOCATOR{}; // nobody calls it
+
+    static void expect_allocator(const void* given) { strangers += given != &ALLOCATOR; }
+
     template <class... Arguments>
     using First = std::tuple_element_t<0, std::tuple<Arguments...>>;
 
@@ -37,12 +45,18 @@ private:
         return [](Arguments... arguments) -> Result {
             if constexpr (std::is_same_v<Result, VkResult>) { // the last argument is what is made
                 const auto target = std::get<sizeof...(Arguments) - 1>(std::tuple(arguments...));
+                expect_allocator(std::get<sizeof...(Arguments) - 2>(std::tuple(arguments...)));
                 *target = handle<std::remove_pointer_t<decltype(target)>>();
                 ++made;
                 return VK_SUCCESS;
             } else { // a command, or the end of an object
-                ((void)arguments, ...);
-                ++(std::is_same_v<First<Arguments...>, VkCommandBuffer> ? commands : destroyed);
+                if constexpr (std::is_same_v<First<Arguments...>, VkCommandBuffer>) {
+                    ((void)arguments, ...);
+                    ++commands;
+                } else {
+                    expect_allocator(std::get<sizeof...(Arguments) - 1>(std::tuple(arguments...)));
+                    ++destroyed;
+                }
             }
         };
     }

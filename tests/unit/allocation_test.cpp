@@ -25,7 +25,8 @@ std::uint64_t allocations = 0; // of this program, by operator new
     std::free(memory);
 }
 
-// create() and bind() allocate; record() does not, and what they made they destroy.
+// create() and bind() allocate; record() does not, and what they made they destroy, with the
+// device's allocator.
 namespace lobelia::test {
 namespace {
 
@@ -44,6 +45,7 @@ TEST_P(Allocation, IsNoneWhileRecordingAndEverythingIsGivenBack) {
         EXPECT_GT(FakeDevice::commands, commands);
     }
     EXPECT_EQ(FakeDevice::destroyed - destroyed, FakeDevice::made - made);
+    EXPECT_EQ(FakeDevice::strangers, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryPass, Allocation,

@@ -115,7 +115,7 @@ TEST(CubeTexelSolidAngle, HoldsAtEverySize) {
     std::mt19937 random(1);
     for (uint size : {1u, 2u, 3u, 4u, 16u, 255u, 1024u, 4096u}) {
         std::uniform_int_distribution<uint> texel(0, size - 1);
-        for (int i = 0; i < 2000; ++i) {
+        for (uint i = 0; i < 2000; ++i) {
             const uint x = i < 4 ? (i & 1) * (size - 1) : texel(random); // the corners first
             const uint y = i < 4 ? (i >> 1) * (size - 1) : texel(random);
             const double exact = exact_solid_angle(x, y, size);

@@ -88,12 +88,12 @@ INSTANTIATE_TEST_SUITE_P(Steps, EveryStep,
 constexpr double TOLERANCE = 0x1p-13;
 
 TEST_P(EveryStep, HasTheSpectrumAskedForAfterItIsCut) {
-    const auto [from, to, cut] = GetParam();
-    const double variance = 1 / to - 1 / from;
-    const double last_chord = 1 - std::cos(std::min(cut * std::sqrt(variance), 1.3));
+    const Step step = GetParam();
+    const double variance = 1 / step.to - 1 / step.from;
+    const double last_chord = 1 - std::cos(std::min(step.cut * std::sqrt(variance), 1.3));
     const auto wanted = [&](int l) {
-        return oracle::lobe_eigenvalue(to, l) /
-               (std::isinf(from) ? 1 : oracle::lobe_eigenvalue(from, l));
+        return oracle::lobe_eigenvalue(step.to, l) /
+               (std::isinf(step.from) ? 1 : oracle::lobe_eigenvalue(step.from, l));
     };
     const Kernel kernel = match_kernel({wanted(1), wanted(2)}, last_chord);
     EXPECT_EQ(kernel.last_chord, last_chord);
