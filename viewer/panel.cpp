@@ -16,7 +16,7 @@ const char* method_text(void* methods, int index) {
 const char* environment_text(void* environments, int index) {
     const auto& paths = *static_cast<std::vector<std::string>*>(environments);
     const std::string& path = paths[std::size_t(index)];
-    return path.empty() ? "built-in sky" : path.c_str() + path.find_last_of('/') + 1;
+    return path.empty() ? "built-in sky" : path.c_str() + (path.find_last_of('/') + 1);
 }
 
 bool choose_method(Widgets& widgets, const char* name, SphereMethod& method) {

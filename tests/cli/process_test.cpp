@@ -17,6 +17,8 @@ protected:
         ProgramCall result = call(arguments);
         result.command.insert(result.command.begin(),
                               {"/bin/sh", "-c", "ulimit -f 1 && exec \"$@\"", "sh"});
+        // Counts of coverage are a file, too.
+        result.environment.push_back({"LLVM_PROFILE_FILE", "/dev/null"});
         return result;
     }
 

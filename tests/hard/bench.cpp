@@ -74,9 +74,19 @@ host::Image EvenSphere::draw(const SphereView& view, float light) const {
                          sized);
 }
 
+namespace {
+
+std::optional<Bench> the_bench;
+
+} // namespace
+
 Bench& bench() {
-    static Bench one;
-    return one;
+    if (!the_bench) the_bench.emplace();
+    return *the_bench;
+}
+
+void close_bench() {
+    the_bench.reset();
 }
 
 std::vector<float> colours(const std::vector<Average>& averages) {

@@ -80,6 +80,8 @@ private:
 
 /// The one of the program.
 Bench& bench();
+/// Lets it go. Not left to the end of the program, when the validation layer has ended already.
+void close_bench();
 
 /// Colours one after the other, for Findings::sound().
 std::vector<float> colours(const std::vector<Average>& averages);

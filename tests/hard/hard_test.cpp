@@ -125,6 +125,7 @@ int main(int argc, char** argv) {
         }
     }
     const int failed = RUN_ALL_TESTS();
+    lobelia::hard::close_bench();
     if (!page.empty()) {
         const std::string text =
             lobelia::hard::page(lobelia::hard::run, lobelia::hard::text_of(page));

@@ -37,8 +37,8 @@ struct GpuOptions {
     bool validation = false;
     /// Where every Vulkan function comes from; null means the system's loader.
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
-    /// The most memory that the buffers and images of the Gpu may take at a time; 0: what the device
-    /// grants. What would take more is refused before anything is allocated.
+    /// The most memory that the buffers and images of the Gpu may take at a time; 0: what the
+    /// device grants. What would take more is refused before anything is allocated.
     VkDeviceSize memory_bytes = 0;
     /// Enables VK_KHR_swapchain and takes a queue that can present to the surface.
     std::optional<Presentation> presentation;
@@ -120,8 +120,8 @@ public:
     const std::string& why_picked() const;
     const VkPhysicalDeviceLimits& limits() const;
 
-    /// Both fail, and allocate nothing, where the device's memory or GpuOptions::memory_bytes is too
-    /// small for them.
+    /// Both fail, and allocate nothing, where the device's memory or GpuOptions::memory_bytes is
+    /// too small for them.
     Outcome<GpuBuffer> create_buffer(VkDeviceSize bytes, VkBufferUsageFlags usage, Memory memory);
     Outcome<GpuImage> create_image(const GpuImageDescription& description);
 
