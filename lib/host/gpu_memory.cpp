@@ -129,10 +129,8 @@ Outcome<Taken> allocate(const HostContext& context, MemoryAccount& account,
     }
     if (granted == 0)
         return Failure{"the device has no memory of the kind needed, pick another device"};
-    return Failure{bytes_text(bytes) +
-                   " of device memory are needed in one piece and the device "
-                   "has pieces of " +
-                   bytes_text(granted) + ", use a smaller picture or map"};
+    return Failure{bytes_text(bytes) + " of device memory are needed in one piece and the device " +
+                   "gives " + bytes_text(granted) + " at most, use a smaller picture or map"};
 }
 
 } // namespace
