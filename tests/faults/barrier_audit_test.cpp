@@ -120,6 +120,18 @@ INSTANTIATE_TEST_SUITE_P(Every, PrefilterAudit,
                                                           Quality::high),
                                           testing::Bool()));
 
+TEST_F(BarrierAuditTest, HearsABarrierThatIsMissing) {
+    const auto update = reinterpret_cast<PFN_vkCmdUpdateBuffer>(
+        gpu.device().get_device_proc_addr(gpu.device().handle, "vkCmdUpdateBuffer"));
+    const host::GpuBuffer target = buffer(4);
+    const std::uint32_t value = 0;
+    value_of(gpu.submit([&](VkCommandBuffer commands) {
+        for (int i = 0; i < 2; ++i) update(commands, target.handle(), 0, sizeof value, &value);
+    }));
+    EXPECT_EQ(shim.audit.history.hazards.size(), 1u);
+    shim.audit.history.hazards.clear();
+}
+
 TEST_F(BarrierAuditTest, Exact) {
     const host::GpuImage panorama = image({.width = 64, .height = 32});
     const host::GpuImage source = cube(16, VK_FORMAT_R32G32B32A32_SFLOAT);

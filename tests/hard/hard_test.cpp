@@ -4,6 +4,7 @@
 #include <iostream>
 #include <regex>
 
+#include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
 #include "bench.h"
@@ -84,6 +85,13 @@ TEST(HardCasesPage, AccountsForEveryRowInOneWay) {
         }
     RecordProperty("rows", rows);
     RecordProperty("absent_rows", absent);
+}
+
+TEST(Findings, HearWhatIsNoRadiance) {
+    Findings found("any row");
+    const float bad[] = {NAN, INFINITY, -1.0f, 0.0f};
+    EXPECT_NONFATAL_FAILURE(found.sound(bad), "no radiance");
+    EXPECT_EQ(found.non_finite, 3u);
 }
 
 // "TEST_F(Suite, Name)" of all tests, as "Suite.Name".
