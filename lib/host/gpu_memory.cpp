@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <utility>
+#include <memory>
 
 #include <Imath/half.h>
 
@@ -10,33 +10,15 @@ namespace lobelia::host {
 
 namespace {
 
-/// Memory of the device, which goes back to its account with it.
-class Taken {
-public:
-    Taken() = default;
-    Taken(DeviceMemory memory, MemoryAccount& account, VkDeviceSize bytes)
-        : memory_(std::move(memory)), account_(&account), bytes_(bytes) {
-        account.taken += bytes;
-    }
-    Taken(Taken&& other) noexcept
-        : memory_(std::move(other.memory_)), account_(other.account_),
-          bytes_(std::exchange(other.bytes_, 0)) {}
-    Taken& operator=(Taken other) noexcept {
-        std::swap(memory_, other.memory_);
-        std::swap(account_, other.account_);
-        std::swap(bytes_, other.bytes_);
-        return *this;
-    }
-    ~Taken() {
-        if (account_) account_->taken -= bytes_;
-    }
+struct GiveBack {
+    VkDeviceSize bytes;
+    void operator()(MemoryAccount* account) const { account->taken -= bytes; }
+};
 
-    VkDeviceMemory get() const { return memory_.get(); }
-
-private:
-    DeviceMemory memory_;
-    MemoryAccount* account_ = nullptr;
-    VkDeviceSize bytes_ = 0;
+/// Memory of the device and its share of the account, which go together.
+struct Taken {
+    std::unique_ptr<MemoryAccount, GiveBack> share;
+    DeviceMemory memory;
 };
 
 } // namespace
@@ -55,7 +37,7 @@ MemoryAccount open_memory_account(const Instance& instance, VkPhysicalDevice dev
 }
 
 struct GpuBuffer::Parts {
-    Taken memory; // outlives the buffer bound to it
+    Taken taken; // outlives the buffer bound to it
     HostObject<VkBuffer, &DeviceFunctions::vkDestroyBuffer> buffer;
     VkDeviceSize size = 0;
     std::byte* data = nullptr;
@@ -77,7 +59,7 @@ std::byte* GpuBuffer::data() const {
 
 struct GpuImage::Parts {
     GpuImageDescription description;
-    Taken memory;
+    Taken taken;
     HostObject<VkImage, &DeviceFunctions::vkDestroyImage> image;
     HostObject<VkImageView, &DeviceFunctions::vkDestroyImageView> view;
 };
@@ -125,7 +107,8 @@ Outcome<Taken> allocate(const HostContext& context, MemoryAccount& account,
         const VkResult code =
             context.call.vkAllocateMemory(context.device.handle, &info, nullptr, &memory);
         if (code != VK_SUCCESS) return failed("allocate " + bytes_text(bytes), code);
-        return Taken(DeviceMemory(context, memory), account, bytes);
+        account.taken += bytes;
+        return Taken{{&account, {bytes}}, {context, memory}};
     }
     if (granted == 0)
         return Failure{"the device has no memory of the kind needed, pick another device"};
@@ -156,15 +139,16 @@ Outcome<GpuBuffer> make_buffer(const HostContext& context, MemoryAccount& accoun
                  mapped ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT
                         : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     if (!allocated) return allocated.error();
-    code = context.call.vkBindBufferMemory(device, handle, allocated->get(), 0);
+    code = context.call.vkBindBufferMemory(device, handle, allocated->memory.get(), 0);
     if (code != VK_SUCCESS) return failed("bind a buffer's memory", code);
     if (mapped) {
         void* data = nullptr;
-        code = context.call.vkMapMemory(device, allocated->get(), 0, VK_WHOLE_SIZE, 0, &data);
+        code =
+            context.call.vkMapMemory(device, allocated->memory.get(), 0, VK_WHOLE_SIZE, 0, &data);
         if (code != VK_SUCCESS) return failed("map a buffer", code);
         parts->data = static_cast<std::byte*>(data);
     }
-    parts->memory = std::move(*allocated);
+    parts->taken = std::move(*allocated);
     return GpuBuffer(std::move(parts));
 }
 
@@ -200,9 +184,9 @@ Outcome<GpuImage> make_image(const HostContext& context, MemoryAccount& account,
     context.call.vkGetImageMemoryRequirements(device, handle, &requirements);
     auto allocated = allocate(context, account, requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     if (!allocated) return allocated.error();
-    code = context.call.vkBindImageMemory(device, handle, allocated->get(), 0);
+    code = context.call.vkBindImageMemory(device, handle, allocated->memory.get(), 0);
     if (code != VK_SUCCESS) return failed("bind an image's memory", code);
-    parts->memory = std::move(*allocated);
+    parts->taken = std::move(*allocated);
 
     const VkImageViewCreateInfo view_info{
         .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
