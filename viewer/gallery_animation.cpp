@@ -16,8 +16,8 @@ using host::Outcome;
 namespace {
 
 constexpr std::size_t FRAMES = 24;
-constexpr std::uint32_t SIZE = 512; // pixels
-constexpr int HUNDREDTHS = 8;       // of a second, for which a frame is shown
+constexpr std::uint32_t FRAME_SIZE = 512; // pixels
+constexpr int HUNDREDTHS = 8;             // of a second, for which a frame is shown
 
 /// From one environment to another, in equal brightness.
 Image between(const GalleryLight& from, const GalleryLight& to, float share) {
@@ -35,8 +35,8 @@ Outcome<GalleryAnimation> animate(host::Gpu& gpu, const std::string& folder,
     const auto times =
         host::draw_frames(gpu,
                           {.view = {.material = {{0.3f, 0.3f, 0.3f}, {0.6f, 0.6f, 0.6f}, 4.8f},
-                                    .width = SIZE,
-                                    .height = SIZE}},
+                                    .width = FRAME_SIZE,
+                                    .height = FRAME_SIZE}},
                           FRAMES, light, [&](std::size_t frame, Image picture) -> Outcome<Done> {
                               pictures.push_back(folder + "/pictures/" + name + "-" +
                                                  std::to_string(frame + 1) + ".png");

@@ -6,7 +6,7 @@
 namespace lobelia::test {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 class PlanVerb : public CliTest {
 protected:

@@ -12,10 +12,6 @@ using oracle::Rgb;
 using oracle::Scene;
 using oracle::Source;
 
-Rgb grey(double value) {
-    return {value, value, value};
-}
-
 class ExactBitsTest : public ExactTest {};
 
 TEST_F(ExactBitsTest, ScaleWithTheLightBitForBit) {

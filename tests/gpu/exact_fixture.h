@@ -7,6 +7,10 @@
 
 namespace lobelia::test {
 
+inline oracle::Rgb grey(double value) {
+    return {value, value, value};
+}
+
 /// Asks the exact integration for averages and hands them back.
 class ExactTest : public GpuTest {
 protected:

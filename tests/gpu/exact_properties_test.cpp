@@ -16,10 +16,6 @@ using oracle::Source;
 // Sums of 32-bit numbers in a row, of which none is longer than this, lose so much of themselves.
 constexpr double SUMMATION = 300 * 0x1p-24;
 
-Rgb grey(double value) {
-    return {value, value, value};
-}
-
 double relative(float found, double truth) {
     return std::abs(double(found) / truth - 1);
 }

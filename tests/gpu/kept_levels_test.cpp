@@ -2,13 +2,13 @@
 
 #include "prefilter_fixture.h"
 #include "support/counting_device.h"
+#include "support/qualities.h"
 
 // Levels that outlive the maps they were made for: an edit of an exponent makes maps alone.
 namespace lobelia::test {
 namespace {
 
 constexpr float SHARPEST = 4096; // that is edited to
-constexpr Quality QUALITIES[] = {Quality::fast, Quality::normal, Quality::high};
 
 PrefilterPlan plan_of(float exponent, Quality quality, std::uint32_t size) {
     return value_of(PrefilterPlan::make({.exponents = {&exponent, 1},

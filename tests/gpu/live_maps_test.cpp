@@ -5,8 +5,6 @@
 namespace lobelia::test {
 namespace {
 
-constexpr float EXPONENTS[] = {0.5f, 8, 64, 700, 2048};
-
 /// Rates by which every pass takes its share of 1000 ms in proportion to its invocations.
 std::vector<PassRate> rates_for(const PrefilterPlan& plan) {
     double invocations = 0;
@@ -31,7 +29,7 @@ double total(const PrefilterPlan& plan, std::span<const PassRate> rates) {
 TEST_F(PrefilterTest, MakesMapsInPiecesWithTheSameBits) {
     const host::GpuImage source =
         on_device(gpu, image_of(oracle::random_cube(oracle::Scene::suns, 128, 5)));
-    const std::vector<float> exponents(std::begin(EXPONENTS), std::end(EXPONENTS));
+    const std::vector<float> exponents{0.5f, 8, 64, 700, 2048};
     const Prefiltered whole = make(source, {exponents, true});
     const PrefilterPlan& plan = whole.plan;
     const std::vector<PassRate> rates = rates_for(plan);

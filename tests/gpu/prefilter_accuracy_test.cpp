@@ -7,6 +7,7 @@
 #include "support/error_measures.h"
 #include "support/oracle.h"
 #include "support/patch_integral.h"
+#include "support/qualities.h"
 #include "support/real_panoramas.h"
 
 // The maps against an integration in double precision that shares no text with them.
@@ -90,7 +91,6 @@ protected:
         return {{0, 0.5f, 1, 4.8f, 16, 37, 45, 64, 150, 300, 700, 2048, 1e4f}, true, quality};
     }
 };
-constexpr Quality QUALITIES[] = {Quality::fast, Quality::normal, Quality::high};
 
 // Texels that halves hold: a single colour's rounding alone may be more than is allowed.
 Source of_halves(const Source& source) {

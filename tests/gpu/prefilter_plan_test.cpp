@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "prefilter_fixture.h"
+#include "support/qualities.h"
 
 // What a request is turned into, and what is refused.
 namespace lobelia::test {
@@ -37,7 +38,7 @@ TEST(PrefilterPlanTest, RefusesToMakeNothing) {
 
 TEST(PrefilterPlanTest, NamesTheMapsInTheOrderAskedForThenLambert) {
     const float exponents[] = {700, 0, 1e6f, 64, 64, 4.8f, -0.0f};
-    for (Quality quality : {Quality::fast, Quality::normal, Quality::high})
+    for (const Quality quality : QUALITIES)
         for (std::uint32_t size : {16u, 64u, 256u, 1024u}) {
             const PrefilterPlan plan = value_of(PrefilterPlan::make({.exponents = exponents,
                                                                      .lambert = true,

@@ -11,7 +11,7 @@ namespace {
 using oracle::Direction;
 using oracle::Scene;
 
-const std::vector<float> EXPONENTS{0.5f, 0, 4.8f, 45, 64, 700, 1e4f};
+const std::vector<float> SEVERAL{0.5f, 0, 4.8f, 45, 64, 700, 1e4f};
 
 void expect_same_state(const PrefilterState& a, const PrefilterState& b) {
     EXPECT_EQ(a.threshold, b.threshold);
@@ -34,7 +34,7 @@ protected:
 
 TEST_F(PrefilterSymmetryTest, GivesTheSameBitsOnEveryRunAndForEverySplit) {
     const host::GpuImage source = on_device(gpu, image_of(oracle::random_cube(Scene::suns, 64, 5)));
-    const Wanted wanted{EXPONENTS, true};
+    const Wanted wanted{SEVERAL, true};
     const Prefiltered first = make(source, wanted);
     EXPECT_GT(first.found().sun_count, 0u);
     const std::vector<std::vector<float>> maps = stored_maps(first);
@@ -51,12 +51,12 @@ TEST_F(PrefilterSymmetryTest, GivesTheSameBitsOnEveryRunAndForEverySplit) {
 TEST_F(PrefilterSymmetryTest, ScalesByPowersOfTwoExactly) {
     for (Scene scene : {Scene::noise, Scene::suns}) {
         const host::Image image = image_of(oracle::random_cube(scene, 64, 6));
-        const Prefiltered made = make(image, {EXPONENTS, true});
+        const Prefiltered made = make(image, {SEVERAL, true});
         const std::vector<std::vector<float>> maps = stored_maps(made);
         for (int k : {-20, 1, 40}) {
             host::Image scaled = image;
             for (float& value : scaled.texels) value = std::ldexp(value, k);
-            const Prefiltered other = make(scaled, {EXPONENTS, true});
+            const Prefiltered other = make(scaled, {SEVERAL, true});
             EXPECT_TRUE(stored_maps(other) == maps) << name(scene) << " times 2^" << k;
             EXPECT_EQ(other.found().scale, std::ldexp(made.found().scale, -k));
             ASSERT_EQ(other.found().sun_count, made.found().sun_count);

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "prefilter_fixture.h"
+#include "support/qualities.h"
 
 namespace lobelia::test {
 namespace {
@@ -12,7 +13,6 @@ using oracle::Rgb;
 using oracle::Scene;
 
 const std::vector<float> EXPONENTS{0, 0.5f, 1, 4.8f, 16, 45, 64, 700, 2048, 1e4f, 1e6f};
-constexpr Quality QUALITIES[] = {Quality::fast, Quality::normal, Quality::high};
 
 constexpr double HALF = 0x1p-11; // relative error of a half, rounded to the nearest
 

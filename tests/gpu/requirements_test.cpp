@@ -8,6 +8,7 @@
 
 #include "prefilter_plan.h"
 #include "support/gpu_test.h"
+#include "support/qualities.h"
 
 // What an engine is told before there is a device.
 namespace lobelia::test {
@@ -86,7 +87,7 @@ TEST_F(RequirementsTest, NameWhatAPoorerDeviceLacksAndWhatThatCosts) {
 // The texels, of 16 bytes, of the largest level that the prefilter reads.
 VkDeviceSize largest_level(std::uint32_t source_size) {
     VkDeviceSize largest = 0;
-    for (const Quality quality : {Quality::fast, Quality::normal, Quality::high})
+    for (const Quality quality : QUALITIES)
         for (float exponent = 0.5f; exponent < 1e6f; exponent *= 4) {
             const std::array exponents = {exponent};
             const auto plan = PrefilterPlan::make({.exponents = exponents,

@@ -11,15 +11,14 @@
 
 #include "bench.h"
 #include "catalogue.h"
+#include "odd_floats.h"
 #include "support/harmonics.h"
 #include "support/oracle.h"
+#include "support/qualities.h"
 
 // A: the lobe's numbers.
 namespace lobelia::hard {
 namespace {
-
-constexpr float INFINITE = std::numeric_limits<float>::infinity();
-constexpr float NOT_A_NUMBER = std::numeric_limits<float>::quiet_NaN();
 
 void against_truth(Bench& bench, Findings& found, const Source& source, float n,
                    const Directions& axes, double allowed = 1.0) {
@@ -125,7 +124,7 @@ void furnace(Bench& bench, Findings& found, float n) {
     };
     found.at("exact, face 64");
     look(bench.exact(light, n, asked), SUMMATION);
-    for (Quality quality : {Quality::fast, Quality::normal, Quality::high}) {
+    for (const Quality quality : test::QUALITIES) {
         found.at("map of quality " + std::to_string(int(quality)));
         const test::Prefiltered maps = bench.maps(light, {{n}, false, quality});
         look(bench.read(maps, 0, asked), HALF + 1e-5);

@@ -8,15 +8,13 @@
 #include "catalogue.h"
 #include "gpu/panorama_fixture.h"
 #include "host/sanitise.h"
+#include "odd_floats.h"
 #include "support/oracle.h"
 #include "support/run_program.h"
 
 // B05 to B13, B21, B22: the values of texels.
 namespace lobelia::hard {
 namespace {
-
-constexpr float INFINITE = std::numeric_limits<float>::infinity();
-constexpr float NOT_A_NUMBER = std::numeric_limits<float>::quiet_NaN();
 
 // A map with one odd channel in it, and what the rule makes of it.
 void sanitised(Bench& bench, Findings& found, float odd, float becomes,

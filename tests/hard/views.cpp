@@ -1,17 +1,15 @@
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "bench.h"
 #include "catalogue.h"
 #include "host/checks.h"
+#include "odd_floats.h"
 
 // F: views of the sphere.
 namespace lobelia::hard {
 namespace {
 
-constexpr float INFINITE = std::numeric_limits<float>::infinity();
-constexpr float NOT_A_NUMBER = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t WIDTH = 24, HEIGHT = 16;
 
 SphereView view_of(const Camera& camera, float n = 16) {

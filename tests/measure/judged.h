@@ -8,10 +8,9 @@
 #include <lobelia/host/work.h>
 
 #include "prefilter_maps.h"
+#include "support/qualities.h"
 
 namespace lobelia::test {
-
-inline constexpr Quality QUALITIES[] = {Quality::fast, Quality::normal, Quality::high};
 
 /// An environment by which methods are judged: the pointwise relative RMS of what they show against
 /// what Exact finds in the panorama's own texels.

@@ -13,7 +13,7 @@ namespace lobelia::test {
 
 namespace {
 
-constexpr std::uint32_t SIZE = 512; // pixels a side
+constexpr std::uint32_t TIMED_SIZE = 512; // pixels a side
 constexpr int ROUNDS = 15;
 
 constexpr std::uint32_t VERTEX_SPIRV[] = {
@@ -35,9 +35,10 @@ double median(std::vector<double> values) {
 
 SphereTimer::SphereTimer(host::Gpu& gpu, const host::GpuEnvironment& environment,
                          const Material& material, Quality quality)
-    : gpu_(gpu),
-      environment_(environment), view_{.material = material, .width = SIZE, .height = SIZE},
-      quality_(quality), target_(value_of(host::ColourTarget::create(gpu, SIZE, SIZE))),
+    : gpu_(gpu), environment_(environment), view_{.material = material,
+                                                  .width = TIMED_SIZE,
+                                                  .height = TIMED_SIZE},
+      quality_(quality), target_(value_of(host::ColourTarget::create(gpu, TIMED_SIZE, TIMED_SIZE))),
       context_(vk::load(gpu.device())), sampler_(vk::make_sampler(context_, VK_FILTER_LINEAR)),
       colours_(value_of(gpu.create_buffer(6 * 4 * sizeof(float), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                                           host::Memory::host))) {
@@ -71,8 +72,8 @@ void SphereTimer::add_shader(const std::string& name, std::span<const std::uint3
     vk::write_descriptor_set(context_, sets->sets[0], bindings, resources);
     drawings_.push_back({name, [this, pass, sets](VkCommandBuffer commands) {
                              vk::draw_full_screen(context_, commands, *pass, sets->sets[0],
-                                                  make_params(view_), SIZE, SIZE,
-                                                  {{0, 0}, {SIZE, SIZE}});
+                                                  make_params(view_), TIMED_SIZE, TIMED_SIZE,
+                                                  {{0, 0}, {TIMED_SIZE, TIMED_SIZE}});
                          }});
 }
 

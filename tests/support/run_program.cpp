@@ -26,19 +26,19 @@ void require(bool succeeded, const char* step) {
 }
 
 // Two ends: what the program writes to one comes out of the other.
-struct Channel {
+struct Ends {
     int ours = -1;
     int theirs = -1;
 };
 
-Channel make_pipe() {
+Ends make_pipe() {
     int ends[2];
     require(::pipe2(ends, O_CLOEXEC) == 0, "pipe");
     return {ends[0], ends[1]};
 }
 
-Channel make_terminal() {
-    Channel terminal{::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC), -1};
+Ends make_terminal() {
+    Ends terminal{::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC), -1};
     require(terminal.ours >= 0 && ::grantpt(terminal.ours) == 0 && ::unlockpt(terminal.ours) == 0,
             "terminal");
     terminal.theirs = ::open(::ptsname(terminal.ours), O_RDWR | O_NOCTTY | O_CLOEXEC);
@@ -59,14 +59,7 @@ std::vector<std::string> variables(const ProgramCall& call) {
     return all;
 }
 
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-    std::vector<char*> all;
-    for (std::string& text : texts) all.push_back(text.data());
-    all.push_back(nullptr);
-    return all;
-}
-
-pid_t spawn(const ProgramCall& call, const Channel& out, const Channel& err) {
+pid_t spawn(const ProgramCall& call, const Ends& out, const Ends& err) {
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -116,9 +109,16 @@ void collect(const ProgramCall& call, pid_t process, std::array<pollfd, 2>& ends
 
 } // namespace
 
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+    std::vector<char*> all;
+    for (std::string& text : texts) all.push_back(text.data());
+    all.push_back(nullptr);
+    return all;
+}
+
 ProgramResult run_program(const ProgramCall& call) {
-    const Channel out = make_pipe();
-    const Channel err = call.on_terminal ? make_terminal() : make_pipe();
+    const Ends out = make_pipe();
+    const Ends err = call.on_terminal ? make_terminal() : make_pipe();
     const pid_t process = spawn(call, out, err);
     ::close(out.theirs);
     ::close(err.theirs);

@@ -28,6 +28,9 @@ struct ProgramResult {
 /// Runs the program to its end, with nothing on its stdin.
 ProgramResult run_program(const ProgramCall& call);
 
+/// What exec takes: where each text begins, then nothing. Valid as long as the texts are.
+std::vector<char*> pointers(std::vector<std::string>& texts);
+
 /// A folder of its own, deleted with everything in it.
 class TemporaryFolder {
 public:

@@ -1,17 +1,15 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include <gtest/gtest.h>
 
-#include "support/shared.h"
+#include "unit_vectors.h"
 
 namespace lobelia {
 namespace {
 
 constexpr double PI_EXACT = std::numbers::pi;
-constexpr double LAST_PLACES = 4e-7; // a few units in the last place of a number next to 1
 
 // Vulkan specification, table "Cube map face and coordinate selection": for each layer the axis
 // that is major, and the axes, with signs, that become s (rightwards) and t (downwards).
@@ -33,11 +31,6 @@ constexpr std::array<SpecifiedFace, 6> SPECIFICATION{{
 
 double along(vec3 direction, Axis axis) {
     return axis.sign * double(direction[axis.index]);
-}
-
-vec3 random_direction(std::mt19937& random) {
-    std::normal_distribution<float> normal;
-    return normalize(vec3(normal(random), normal(random), normal(random)));
 }
 
 TEST(CubePoint, FollowsVulkansTable) {

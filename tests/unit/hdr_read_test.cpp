@@ -37,11 +37,10 @@ protected:
 };
 
 TEST_F(HdrReadTest, EveryOrientationGivesTheSameMap) {
-    constexpr int WIDTH = 6;
-    constexpr int HEIGHT = 3;
+    constexpr int width = 6, height = 3;
     std::vector<float> expected;
-    for (int y = 0; y < HEIGHT; ++y)
-        for (int x = 0; x < WIDTH; ++x)
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
             for (const int value : {x + 1, y + 1, 128}) expected.push_back(float(value) / 128.0f);
 
     for (const bool columns : {false, true})
@@ -50,11 +49,11 @@ TEST_F(HdrReadTest, EveryOrientationGivesTheSameMap) {
                 const std::string x_axis = std::string(flip_x ? "-X " : "+X ") + "6";
                 const std::string y_axis = std::string(flip_y ? "+Y " : "-Y ") + "3";
                 std::string bytes = header(columns ? x_axis + " " + y_axis : y_axis + " " + x_axis);
-                for (int i = 0; i < (columns ? WIDTH : HEIGHT); ++i)
-                    for (int j = 0; j < (columns ? HEIGHT : WIDTH); ++j) {
+                for (int i = 0; i < (columns ? width : height); ++i)
+                    for (int j = 0; j < (columns ? height : width); ++j) {
                         const int x = columns ? i : j;
                         const int y = columns ? j : i;
-                        bytes += texel(flip_x ? WIDTH - 1 - x : x, flip_y ? HEIGHT - 1 - y : y);
+                        bytes += texel(flip_x ? width - 1 - x : x, flip_y ? height - 1 - y : y);
                     }
                 EXPECT_EQ(colour(bytes), expected) << x_axis << " " << y_axis << " " << columns;
             }

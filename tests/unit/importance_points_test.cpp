@@ -1,17 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "support/lobes.h"
-#include "support/shared.h"
+#include "unit_vectors.h"
 
 // Which directions importance sampling looks in, and how wide each look is.
 namespace lobelia {
 namespace {
-
-constexpr double LAST_PLACES = 4e-7; // a few units in the last place of a number next to 1
 
 std::vector<vec3> axes() {
     std::vector<vec3> axes;
@@ -24,9 +21,7 @@ std::vector<vec3> axes() {
     axes.push_back(vec3(1.0f, 0.0f, -0.0f));
     axes.push_back(normalize(vec3(1e-4f, -1e-5f, -1.0f)));
     std::mt19937 random(1);
-    std::normal_distribution<float> normal;
-    for (int i = 0; i < 1000; ++i)
-        axes.push_back(normalize(vec3(normal(random), normal(random), normal(random))));
+    for (int i = 0; i < 1000; ++i) axes.push_back(random_direction(random));
     return axes;
 }
 

@@ -1,13 +1,12 @@
 #include <cfloat>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "support/lobes.h"
 #include "support/quadrature.h"
-#include "support/shared.h"
+#include "unit_vectors.h"
 
 namespace lobelia {
 namespace {
@@ -127,11 +126,6 @@ TEST(PhongBrdf, ReflectsItsColoursAtNormalIncidence) {
         };
         EXPECT_NEAR(integrate_cap(1.0, reflected), 0.9, ROUNDING) << "exponent " << n;
     }
-}
-
-vec3 random_direction(std::mt19937& random) {
-    std::normal_distribution<float> normal;
-    return normalize(vec3(normal(random), normal(random), normal(random)));
 }
 
 TEST(PhongBrdf, IsReciprocal) {

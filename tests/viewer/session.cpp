@@ -23,13 +23,6 @@ using Clock = std::chrono::steady_clock;
 constexpr auto PATIENCE = 60s; // with a machine that others use too
 constexpr auto STILL = 700ms;
 
-std::vector<char*> pointers(std::vector<std::string>& words) {
-    std::vector<char*> result;
-    for (std::string& word : words) result.push_back(word.data());
-    result.push_back(nullptr);
-    return result;
-}
-
 } // namespace
 
 Child::Child(const std::vector<std::string>& command, const std::string& folder,

@@ -1,1 +1,0 @@
-// Nothing: the headers that tests share are compiled with it.
