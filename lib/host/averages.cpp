@@ -5,12 +5,13 @@
 #include <cstring>
 #include <ctime>
 
+#include "host/sizes.h"
+
 namespace lobelia::host {
 
 namespace {
 
 constexpr std::uint32_t MOST_QUERIES = 1 << 18; // in one buffer: 8 MiB
-constexpr std::size_t CHANNELS = 4;
 
 Outcome<Exact::Sizes> sizes_of(const ExactSource& source, const ExactSettings& settings) {
     const auto sizes = source.is_panorama ? Exact::sizes(source.panorama, settings)

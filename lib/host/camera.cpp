@@ -14,17 +14,17 @@ namespace lobelia::host {
 
 namespace {
 
-constexpr std::uint32_t LARGEST_SIDE = 16384;
+constexpr std::uint32_t LARGEST_PICTURE = 16384;
 constexpr double FARTHEST_EYE = 1e9;     // radii; 32-bit squares of squares end soon after
 constexpr double LEAST_EYE = 1.0 - 1e-6; // on the sphere but for rounding
 constexpr double PARALLEL = 1e-6;        // sine of an angle that a 32-bit vector cannot resolve
 
 std::optional<Failure> check_size(const SphereView& view, const VkPhysicalDeviceLimits& limits) {
     const std::uint32_t width =
-        std::min({LARGEST_SIDE, limits.maxImageDimension2D, limits.maxFramebufferWidth,
+        std::min({LARGEST_PICTURE, limits.maxImageDimension2D, limits.maxFramebufferWidth,
                   limits.maxViewportDimensions[0]});
     const std::uint32_t height =
-        std::min({LARGEST_SIDE, limits.maxImageDimension2D, limits.maxFramebufferHeight,
+        std::min({LARGEST_PICTURE, limits.maxImageDimension2D, limits.maxFramebufferHeight,
                   limits.maxViewportDimensions[1]});
     if (view.width >= 1 && view.height >= 1 && view.width <= width && view.height <= height)
         return std::nullopt;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "host/sizes.h"
+
 namespace lobelia::host {
 
 namespace {
-
-constexpr std::uint32_t FACES = 6;
 
 // Both layouts order the faces +X -X +Y -Y +Z -Z. Vulkan looks at them from inside, OpenEXR from
 // outside, which mirrors the +Y and -Y faces top to bottom and the others left to right. Mirroring

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/sizes.h"
+
 namespace lobelia::host {
 
 namespace {
-
-constexpr std::uint32_t FACES = 6;
 
 /// A face's middle, and the ways along its rows and down its columns.
 struct Face {

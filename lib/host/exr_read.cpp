@@ -4,12 +4,11 @@
 
 #include "host/cube_layout.h"
 #include "host/exr_decode.h"
+#include "host/sizes.h"
 
 namespace lobelia::host {
 
 namespace {
-
-constexpr std::size_t TEXEL_BYTES = 4 * sizeof(float);
 
 // OpenEXR's C++ reader, which has no allocation hook, holds a chunk of DWA in planes, coefficients
 // and output at once, and the file around it that we make.

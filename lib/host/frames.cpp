@@ -1,6 +1,5 @@
 #include <lobelia/host/frames.h>
 
-#include <algorithm>
 #include <chrono>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "host/checks.h"
 #include "host/colour_target.h"
 #include "host/maps.h"
+#include "host/warm_cost.h"
 
 namespace lobelia::host {
 
@@ -55,13 +55,8 @@ Outcome<Stage> set_up(Gpu& gpu, const RenderSettings& settings, const Image& fir
                  std::move(*job)};
 }
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 /// Times of the same work, frame by frame.
-class Clock {
+class FrameTimes {
 public:
     Outcome<Done> run(Gpu& gpu, const std::function<void(VkCommandBuffer)>& record) {
         const auto start = std::chrono::steady_clock::now();
@@ -101,7 +96,7 @@ Outcome<Frames> draw_frames(Gpu& gpu, const RenderSettings& settings, std::size_
     // A driver's own compilation is no part of a frame.
     if (const auto warm = gpu.submit(prefilter_and_draw); !warm) return warm.error();
 
-    Clock still, changing;
+    FrameTimes still, changing;
     for (std::size_t i = 0; i < count; ++i) {
         const FrameLight now = light(i);
         view.environment_rotation = now.rotation;

@@ -6,6 +6,8 @@
 
 #include <Imath/half.h>
 
+#include "host/sizes.h"
+
 namespace lobelia::host {
 
 namespace {
@@ -206,7 +208,6 @@ Outcome<GpuImage> make_image(const HostContext& context, MemoryAccount& account,
 
 std::vector<VkBufferImageCopy> rows_of_layers(const GpuImage& image, std::uint32_t first,
                                               std::uint32_t count) {
-    constexpr VkDeviceSize TEXEL_BYTES = 4 * sizeof(float);
     const GpuImageDescription& shape = image.description();
     std::vector<VkBufferImageCopy> copies;
     for (std::uint32_t row = first; row < first + count;) {

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cstring>
 
+#include "host/sizes.h"
+
 namespace lobelia::host {
 
 namespace {
 
-constexpr std::uint32_t MOST_QUERIES = 1 << 18; // in one buffer: 4 MiB
-constexpr std::size_t CHANNELS = 4;
+constexpr std::uint32_t MOST_AXES = 1 << 18; // in one buffer: 4 MiB
 
 /// Runs one list of axes that fits into one buffer.
 Outcome<Done> average_batch(Gpu& gpu, const Importance& importance, const GpuImage& source,
@@ -48,8 +49,8 @@ Outcome<Averages> average_by_samples(Gpu& gpu, const Importance& importance, con
     result.report = importance_pass(settings.filtered, image_bytes(source), axes.size());
     result.texels.reserve(CHANNELS * axes.size());
     const double size = double(axes.size());
-    for (std::size_t first = 0; first < axes.size(); first += MOST_QUERIES) {
-        const std::size_t count = std::min<std::size_t>(MOST_QUERIES, axes.size() - first);
+    for (std::size_t first = 0; first < axes.size(); first += MOST_AXES) {
+        const std::size_t count = std::min<std::size_t>(MOST_AXES, axes.size() - first);
         settings.query_count = std::uint32_t(count);
         const auto done = average_batch(
             gpu, importance, source, settings, axes.subspan(first, count),

@@ -15,6 +15,7 @@
 #include "host/guard.h"
 #include "host/image_shape.h"
 #include "host/message.h"
+#include "host/sizes.h"
 
 namespace lobelia::host {
 
@@ -22,8 +23,6 @@ namespace lobelia::host {
 // Format Specification", version 1.4, for the descriptor.
 namespace {
 
-constexpr std::uint32_t FACES = 6;
-constexpr std::uint32_t CHANNELS = 4;
 constexpr std::uint64_t HEADER_BYTES = 80; // with the index
 constexpr std::uint64_t LEVEL_ENTRY_BYTES = 24;
 constexpr std::uint32_t BASIC_BLOCK_BYTES = 24;

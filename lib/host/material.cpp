@@ -9,7 +9,7 @@ namespace lobelia::host {
 
 namespace {
 
-constexpr const char* CHANNELS[] = {"red", "green", "blue"};
+constexpr const char* CHANNEL_NAMES[] = {"red", "green", "blue"};
 constexpr float LARGEST_EXPONENT = 1e6f;
 constexpr double SLACK = 1e-6; // of kd + ks, for sums that are 1 but for their rounding
 
@@ -17,7 +17,7 @@ std::optional<Failure> check_reflectance(const char* name, const std::array<floa
     for (std::size_t i = 0; i < 3; ++i)
         if (!std::isfinite(values[i]) || values[i] < 0.0f)
             return Failure{std::string(name) + " is " + number_text(values[i]) + " in the " +
-                           CHANNELS[i] + " channel, give a number from 0 to 1"};
+                           CHANNEL_NAMES[i] + " channel, give a number from 0 to 1"};
     return std::nullopt;
 }
 
@@ -27,7 +27,7 @@ std::optional<Failure> check_energy(const Material& material) {
         if (sum > 1.0 + SLACK)
             return Failure{"kd + ks is " + number_text(material.diffuse[i]) + " + " +
                            number_text(material.specular[i]) + " = " + number_text(float(sum)) +
-                           " in the " + CHANNELS[i] +
+                           " in the " + CHANNEL_NAMES[i] +
                            " channel, more light than comes in: lower one of them, or pass "
                            "--allow-energy-gain"};
     }

@@ -5,6 +5,7 @@
 #include "host/map_sizes.h"
 #include "host/maps.h"
 #include "host/mips.h"
+#include "host/sizes.h"
 #include "host/warm_cost.h"
 
 namespace lobelia::host {
@@ -12,9 +13,6 @@ namespace lobelia::host {
 namespace {
 
 using Directions = std::span<const std::array<float, 3>>;
-
-constexpr std::uint64_t FACES = 6;
-constexpr std::uint64_t TEXEL_BYTES = 4 * sizeof(float);
 
 std::vector<Vector> vectors(Directions directions) {
     std::vector<Vector> axes;
@@ -74,7 +72,7 @@ Outcome<Untimed> exactly(Gpu& gpu, const GpuEnvironment& environment,
     const auto averages =
         average(gpu, *exact, source, {.exponent = settings.exponents.front()}, queries, {});
     if (!averages) return averages.error();
-    const std::uint64_t texels = FACES * face * face;
+    const std::uint64_t texels = std::uint64_t(FACES) * face * face;
     Cost cost = once(averages->report, double(texels) / double(queries.size()));
     cost.bytes = source.bytes + TEXEL_BYTES * texels;
     cost.dispatches = 1;

@@ -1,13 +1,13 @@
 #include "host/averages.h"
 #include "host/checks.h"
 #include "host/drawing.h"
+#include "host/sizes.h"
 #include "host/warm_cost.h"
 
 namespace lobelia::host {
 
 namespace {
 
-constexpr std::uint64_t TEXEL_BYTES = 4 * sizeof(float);
 constexpr std::uint32_t LEAST_SIZE = 64;
 
 /// Methods of many samples take seconds for a large picture: they are timed in one that is a half

@@ -7,12 +7,12 @@
 #include "host/averages.h"
 #include "host/camera.h"
 #include "host/checks.h"
+#include "host/sizes.h"
 
 namespace lobelia::host {
 
 namespace {
 
-constexpr std::size_t TEXEL_BYTES = 4 * sizeof(float);
 constexpr std::size_t FEWEST = 16, MOST = 16384;         // pixels that are integrated together
 constexpr std::uint64_t NODES_PER_STEP = 1 << 23;        // a quarter of Exact's: nobody waits long
 constexpr std::chrono::milliseconds QUICK(10), SLOW(40); // for those pixels

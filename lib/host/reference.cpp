@@ -5,12 +5,11 @@
 #include "host/averages.h"
 #include "host/camera.h"
 #include "host/checks.h"
+#include "host/sizes.h"
 
 namespace lobelia::host {
 
 namespace {
-
-constexpr std::size_t TEXEL_BYTES = 4 * sizeof(float);
 
 Outcome<GpuBuffer> make_reference(Gpu& gpu, const Exact& exact, const ExactSource& source,
                                   const SphereView& view, const ExactSettings& settings,

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "host/sizes.h"
+
 #ifdef __FAST_MATH__
 #error "-ffast-math removes the tests for NaN and infinity that this file is made of"
 #endif
@@ -11,8 +13,6 @@
 namespace lobelia::host {
 
 namespace {
-
-constexpr std::size_t CHANNELS = 4; // of a texel in memory; the first three are colour
 
 bool is_finite(const float* texel) {
     return std::isfinite(texel[0]) && std::isfinite(texel[1]) && std::isfinite(texel[2]);

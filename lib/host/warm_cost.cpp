@@ -20,11 +20,6 @@ double judged(const Gpu& gpu, const PassReport& run) {
     return by_device ? *run.gpu_ms : run.cpu_ms.value_or(0.0);
 }
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 void scale_times(Cost& cost, double scale) {
     cost.cpu_ms *= scale;
     if (cost.gpu_ms) *cost.gpu_ms *= scale;
@@ -71,6 +66,11 @@ private:
 };
 
 } // namespace
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
 
 Outcome<std::vector<Cost>> warm_costs(const Gpu& gpu, std::span<const TimedWork> works) {
     std::vector<Runs> all(works.begin(), works.end());

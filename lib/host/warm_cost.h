@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <lobelia/host/measure.h>
 
@@ -33,6 +34,9 @@ struct Untimed {
     std::optional<TimedWork> work;
 };
 Outcome<std::vector<Measured>> add_warm_costs(const Gpu& gpu, std::vector<Untimed> methods);
+
+/// The middle of them in order, of which there is one at least.
+double median(std::vector<double> values);
 
 /// The cost by a single run, scaled up. Of the cost only the times are set.
 Cost once(const PassReport& ran, double scale);
