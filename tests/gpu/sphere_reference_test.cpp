@@ -3,6 +3,7 @@
 #include "support/error_measures.h"
 #include "support/parallel.h"
 #include "support/real_panoramas.h"
+#include "support/some_of.h"
 
 // The reference picture against an integration in double precision that shares no text with it: to
 // the 1e-4 that each average is good for.
@@ -47,11 +48,11 @@ TEST_F(SphereReferenceTest, IsTheTruth) {
     };
     const std::array<float, 3> eyes[] = {{0, 0, 4}, {-4, 0, 0}, {1, 3, -2}, {2, -1, 2}};
     int next_eye = 0;
-    for (const char* const name : {"city", "interior"}) {
+    for (const std::string& name : some_of(std::vector<std::string>{"city", "interior"})) {
         const host::Image image = real_panorama(name);
         const host::GpuEnvironment environment = upload(image);
         const oracle::Source truth = source_of(image);
-        for (const Material& material : materials) {
+        for (const Material& material : some_of(materials)) {
             const SphereView view{.camera = {.eye = eyes[next_eye++ % 4]},
                                   .material = material,
                                   .background = false,

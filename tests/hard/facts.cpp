@@ -5,12 +5,13 @@
 #include "catalogue.h"
 #include "support/harmonics.h"
 #include "support/oracle.h"
+#include "support/some_of.h"
 
 // O: facts that hold for every environment, over random ones.
 namespace lobelia::hard {
 namespace {
 
-constexpr int ENVIRONMENTS = 20; // of each fact
+constexpr int ENVIRONMENTS = 20 / test::ONE_IN; // of each fact
 
 // A small environment of its own for each seed, of every kind and shape.
 Source environment(std::uint64_t seed) {

@@ -1,6 +1,9 @@
 #include "support/kink_integral.h"
 
-#include <vector>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
 
 #include "support/quadrature.h"
 
@@ -18,18 +21,20 @@ class Breaks {
 public:
     Breaks(double from, double to) : at_{from, to} {}
     void add(double x) {
-        if (at_.front() < x && x < at_[1]) at_.push_back(x);
+        if (at_[0] < x && x < at_[1]) at_[count_++] = x;
     }
     void add(const Crossings& crossings) {
         for (int i = 0; i < crossings.count; ++i) add(crossings.at[std::size_t(i)]);
     }
-    const std::vector<double>& sorted() {
-        std::sort(at_.begin(), at_.end());
-        return at_;
+    std::span<const double> sorted() {
+        std::sort(at_.data(), at_.data() + count_);
+        return {at_.data(), count_};
     }
 
 private:
-    std::vector<double> at_;
+    // The ends, what two horizons cross of three lines, twice each, and where they meet.
+    std::array<double, 2 + 2 * 3 * 2 + 2> at_;
+    std::size_t count_ = 2;
 };
 
 template <class Chart>
@@ -56,7 +61,7 @@ double line(const Weight& weight, const Box& box, bool along_u, double at, const
 
     double sum = 0;
     const GaussRule& rule = gauss(kink.points);
-    const std::vector<double>& cuts = breaks.sorted();
+    const std::span<const double> cuts = breaks.sorted();
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
         const double from = cuts[k];
         const double to = cuts[k + 1];
@@ -122,7 +127,7 @@ double integrate_across_horizon(const Weight& weight, const Box& box, const Kink
 
     double sum = 0;
     const GaussRule& rule = gauss(kink.points);
-    const std::vector<double>& cuts = breaks.sorted();
+    const std::span<const double> cuts = breaks.sorted();
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
         for (std::size_t i = 0; i < std::size_t(kink.points); ++i) {
             // Graded: t -> 3t^2 - 2t^3 takes the corners' roots out of the ends.
