@@ -37,7 +37,7 @@ double texel_solid_angle(std::uint32_t x, std::uint32_t y, std::uint32_t size) {
 
 std::vector<Vector> cube_directions(std::uint32_t size) {
     std::vector<Vector> directions;
-    directions.reserve(std::size_t(FACES) * size * size);
+    directions.reserve(cube_texels(size));
     for (const Face& face : CUBE)
         for (std::uint32_t y = 0; y < size; ++y)
             for (std::uint32_t x = 0; x < size; ++x)
@@ -77,7 +77,7 @@ Image reduced_cube(const Image& cube, std::uint32_t size) {
     const std::uint32_t block = cube.width / size;
     const std::vector<double> areas = solid_angles(cube.width);
     Image reduced{Layout::cube, size, size, FACES,
-                  std::vector<float>(std::size_t(4) * FACES * size * size, 1.0f)};
+                  std::vector<float>(CHANNELS * cube_texels(size), 1.0f)};
     for (std::uint32_t face = 0; face < FACES; ++face)
         for (std::uint32_t y = 0; y < size; ++y)
             for (std::uint32_t x = 0; x < size; ++x) {

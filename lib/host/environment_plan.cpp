@@ -25,8 +25,7 @@ ImageReport float_image(const char* name, std::uint32_t width, std::uint32_t hei
 void add_resizing(EnvironmentPlan& plan) {
     const std::uint32_t face = prefilter_face(plan.face);
     if (face == plan.face) return;
-    const std::uint64_t source = std::uint64_t(FACES) * plan.face * plan.face,
-                        resized = std::uint64_t(FACES) * face * face;
+    const std::uint64_t source = cube_texels(plan.face), resized = cube_texels(face);
     plan.report.passes.push_back({.name = "cube to cube",
                                   .invocations = resized,
                                   .bytes_read = TEXEL_BYTES * source,
@@ -68,7 +67,7 @@ EnvironmentPlan plan_environment(const EnvironmentShape& shape, std::uint32_t fa
     }
     EnvironmentPlan plan{face ? face : default_face(shape.width, quality), {}, {}};
     const std::uint64_t panorama = std::uint64_t(shape.width) * shape.height;
-    const std::uint64_t cube = std::uint64_t(FACES) * plan.face * plan.face;
+    const std::uint64_t cube = cube_texels(plan.face);
     if (shape.builtin) {
         plan.report.passes.push_back(
             {.name = "sky", .invocations = panorama, .bytes_written = TEXEL_BYTES * panorama});

@@ -170,7 +170,7 @@ void put_texels(LittleEndian& bytes, const Image& level, const TexelFormat& form
 }
 
 std::uint64_t level_bytes(const Image& level, const TexelFormat& format) {
-    return std::uint64_t(FACES) * level.width * level.width * format.texel_bytes();
+    return cube_texels(level.width) * format.texel_bytes();
 }
 
 // The smallest level comes first in the file; a texel's size is a multiple of 4, so levels begin at

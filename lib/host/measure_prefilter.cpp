@@ -72,7 +72,7 @@ Outcome<Untimed> exactly(Gpu& gpu, const GpuEnvironment& environment,
     const auto averages =
         average(gpu, *exact, source, {.exponent = settings.exponents.front()}, queries, {});
     if (!averages) return averages.error();
-    const std::uint64_t texels = std::uint64_t(FACES) * face * face;
+    const std::uint64_t texels = cube_texels(face);
     Cost cost = once(averages->report, double(texels) / double(queries.size()));
     cost.bytes = source.bytes + TEXEL_BYTES * texels;
     cost.dispatches = 1;

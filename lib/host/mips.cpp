@@ -5,6 +5,7 @@
 
 #include "host/averages.h"
 #include "host/maps.h"
+#include "host/sizes.h"
 
 namespace lobelia::host {
 
@@ -30,15 +31,14 @@ WorkReport mips_report(const Gpu& gpu, std::uint32_t face, std::uint32_t last_fa
     const VkFormat format = mips_format(gpu);
     const std::uint32_t levels = level_count(face, last_face);
     std::uint64_t texels = 0;
-    for (std::uint32_t level = 0; level < levels; ++level)
-        texels += std::uint64_t(6) * (face >> level) * (face >> level);
+    for (std::uint32_t level = 0; level < levels; ++level) texels += cube_texels(face >> level);
     const std::uint64_t bytes = texels * (format == VK_FORMAT_R32G32B32A32_SFLOAT ? 16 : 8);
-    const std::uint64_t source = std::uint64_t(6) * 16 * face * face;
+    const std::uint64_t source = TEXEL_BYTES * cube_texels(face);
     return {.passes = {{.name = "mips",
                         .invocations = texels,
                         .bytes_read = source + bytes,
                         .bytes_written = bytes}},
-            .images = {{"mips", face, face, 6, levels, format_name(format), bytes, "scratch"}}};
+            .images = {{"mips", face, face, FACES, levels, format_name(format), bytes, "scratch"}}};
 }
 
 Outcome<MipsToMake> bind_mips(Gpu& gpu, const Mips& mips, const GpuImage& source,
