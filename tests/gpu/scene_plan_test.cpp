@@ -5,6 +5,7 @@
 #include "host/drawing.h"
 #include "sphere_fixture.h"
 #include "support/counting_device.h"
+#include "support/some_of.h"
 
 // Only what the scene calls for: what is recorded, counted, and pixels that stay as they are.
 namespace lobelia::test {
@@ -139,7 +140,7 @@ TEST_F(ScenePlanTest, BlursTheBackgroundByItsLobe) {
         upload(image_of(random_panorama(oracle::Scene::suns, 128, 64, 3)));
     const std::array<float, 3> axes[] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
                                          {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
-    for (const float exponent : {1.0f, 16.0f, 300.0f}) {
+    for (const float exponent : some_of({1.0f, 16.0f, 300.0f})) {
         const auto exact = [&](float n) {
             return value_of(
                        host::prefilter(

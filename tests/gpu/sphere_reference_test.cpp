@@ -48,7 +48,7 @@ TEST_F(SphereReferenceTest, IsTheTruth) {
     };
     const std::array<float, 3> eyes[] = {{0, 0, 4}, {-4, 0, 0}, {1, 3, -2}, {2, -1, 2}};
     int next_eye = 0;
-    for (const std::string& name : some_of(std::vector<std::string>{"city", "interior"})) {
+    for (const std::string name : some_of({"city", "interior"})) {
         const host::Image image = real_panorama(name);
         const host::GpuEnvironment environment = upload(image);
         const oracle::Source truth = source_of(image);

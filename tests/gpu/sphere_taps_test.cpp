@@ -2,6 +2,7 @@
 
 #include "sphere_fixture.h"
 #include "support/error_measures.h"
+#include "support/some_of.h"
 
 // The lobe that the horizon cuts, by few fetches, against `reference`.
 namespace lobelia::test {
@@ -42,7 +43,7 @@ TEST_F(TapsTest, AreExactInLinearLight) {
             const double light = 1 + 0.4 * d.x - 0.3 * d.y + 0.2 * d.z;
             return oracle::Rgb{light, light, light};
         })));
-    for (const float exponent : {1.0f, 64.0f}) {
+    for (const float exponent : some_of({1.0f, 64.0f})) {
         const SphereView view = gloss(exponent);
         const host::Image truth = draw(environment, view, SphereMethod::reference);
         for (const SphereMethod method : TAPS)
@@ -55,7 +56,7 @@ TEST_F(TapsTest, EachTapMoreIsNearerToTheTruth) {
     // Half a sky: the hardest light for a lobe that the horizon cuts.
     const host::GpuEnvironment environment =
         upload(image_of(oracle::random_panorama(oracle::Scene::halves, 64, 32, 5)));
-    for (const float exponent : {16.0f, 64.0f}) {
+    for (const float exponent : some_of({16.0f, 64.0f})) {
         const SphereView view = gloss(exponent);
         const host::Image truth = draw(environment, view, SphereMethod::reference);
         double before = error(truth, environment, view, SphereMethod::split_sum);

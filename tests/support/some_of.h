@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <iterator>
 #include <vector>
 
@@ -20,6 +21,11 @@ auto some_of(const Range& all) {
     for (const auto& input : all)
         if (i++ % ONE_IN == 0) some.push_back(input);
     return some;
+}
+
+template <class T>
+std::vector<T> some_of(std::initializer_list<T> all) {
+    return some_of<std::initializer_list<T>>(all);
 }
 
 } // namespace lobelia::test
