@@ -1,5 +1,4 @@
 #include "furnace.h"
-#include "support/some_of.h"
 
 // What the sphere shows, against closed forms and the double-precision camera.
 namespace lobelia::test {
@@ -156,7 +155,7 @@ TEST_F(SphereTest, GivesFiniteTexelsFromEveryPlace) {
         {{.eye = {0, 0, 4}, .up = {1e-38f, 1e-38f, 0}}, 9, 9},
     };
     const host::GpuEnvironment white = upload(even_panorama(8, 4, 1.0f, 1.0f, 1.0f));
-    for (const Place& place : some_of(places))
+    for (const Place& place : places)
         for (const bool background : {false, true}) {
             const SphereView view{.camera = place.camera,
                                   .material = grey(0.5f, 0.5f, 16.0f),
