@@ -67,7 +67,7 @@ Schedule schedule(const ExactGrid& grid, const ExactSettings& settings) {
     const std::uint32_t divided =
         grid.order == 1 || settings.clipped ? QUERIES * grid.parts * grid.parts : 0;
     const std::uint32_t per_row =
-        1 + blocks * (1 + grid.order + grid.order * grid.order + 4 * QUERIES + divided);
+        2 + blocks * (2 + grid.order + grid.order * grid.order + 4 * QUERIES + divided);
     Schedule cut;
     cut.rows_per_step = std::clamp(ITERATIONS_PER_INVOCATION / per_row, 1u, all_rows);
     cut.row_steps = (all_rows + cut.rows_per_step - 1) / cut.rows_per_step;

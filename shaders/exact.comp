@@ -146,18 +146,43 @@ void cell_weights(uint layer, uint row, uint column, out float weights[QUERIES])
     }
 }
 
+// What some lobe reaches is looked for in loops of their own: some devices go through the body of a
+// branch that is not taken.
+
+// The first row from i on.
+uint next_row(uint i) {
+    for (; i < first_row + row_count; ++i) {
+        vec4 middle = row_node(i % rows, 0);
+        float bound = -1.0;
+        for (int q = 0; q < QUERIES; ++q)
+            bound = max(bound, row_bound(i / rows, middle, asked[q].axis.xyz));
+        if (bound >= row_cull) break;
+    }
+    return i;
+}
+
+// The first TEAM columns of a row from `block` on.
+uint next_block(uint layer, vec4 row, uint block) {
+    for (; block < columns; block += TEAM) {
+        vec4 middle = column_node(min(block + TEAM / 2u, columns - 1u), 0);
+        vec3 centre = node_at(layer, middle, row).direction;
+        float nearest = -1.0;
+        for (int q = 0; q < QUERIES; ++q) nearest = max(nearest, dot(centre, asked[q].axis.xyz));
+        if (nearest >= block_cull) break;
+    }
+    return block;
+}
+
 // Adds what the invocation's cells of one row give to each query.
 void add_row(uint layer, uint row, uint lane) {
     vec4 row_sums[QUERIES];
     for (int q = 0; q < QUERIES; ++q) row_sums[q] = vec4(0.0);
 
-    for (uint block = 0u; block < columns; block += TEAM) {
-        vec4 middle = column_node(min(block + TEAM / 2u, columns - 1u), 0);
-        vec3 centre = node_at(layer, middle, row_node(row, 0)).direction;
-        float nearest = -1.0;
-        for (int q = 0; q < QUERIES; ++q) nearest = max(nearest, dot(centre, asked[q].axis.xyz));
+    vec4 middle = row_node(row, 0);
+    for (uint block = next_block(layer, middle, 0u); block < columns;
+         block = next_block(layer, middle, block + TEAM)) {
         uint column = block + lane;
-        if (nearest < block_cull || column >= columns) continue;
+        if (column >= columns) continue;
 
         float weights[QUERIES];
         cell_weights(layer, row, column, weights);
@@ -198,15 +223,8 @@ void main() {
         sums[q] = vec4(0.0);
     }
 
-    for (uint i = first_row; i < first_row + row_count; ++i) {
-        uint layer = i / rows;
-        uint row = i % rows;
-        float bound = -1.0;
-        for (int q = 0; q < QUERIES; ++q) {
-            bound = max(bound, row_bound(layer, row_node(row, 0), asked[q].axis.xyz));
-        }
-        if (bound >= row_cull) add_row(layer, row, lane);
-    }
+    for (uint i = next_row(first_row); i < first_row + row_count; i = next_row(i + 1u))
+        add_row(i / rows, i % rows, lane);
 
     for (int q = 0; q < QUERIES; ++q) {
         vec4 sum = team_sum(sums[q], lane);
